@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Angles of the triangular building blocks: equations (1)-(4) of the paper, in closed form.
+
+Everything follows from the apex angle θ of the deployed base and the *ratio* c = ‖A'C'‖/‖AB‖.
+Errata of the paper that matter here: β starts at π/4 − α/2 (not π/4 − α); the second triangle
+needs tan α · tan β < 1/2; the numerator of (4) needs β' (not β).
+"""
+
+import numpy as np
+
+from .errors import require
+
+MAX_SPHERE_THETA = np.pi / 3
+# Room for rounding at the closed ends of the ranges; far below anything that can be built.
+_SLACK = 1e-12
+
+
+def half_opening(theta):
+    """sin(θ/2): half the distance of the two A in units of ‖AB‖, and the smallest ratio.
+
+    ``theta`` in radians, scalar or array; ValueError outside 0 < θ < π.
+    """
+    theta = np.asarray(theta, float)
+    require(
+        np.isfinite(theta) & (theta > 0) & (theta < np.pi),
+        "Opening angle theta{at} is {value:.6g}°: it must lie between 0° and 180°.",
+        np.degrees(theta),
+    )
+    return np.sin(theta / 2)
+
+
+def angles_for(theta, ratio):
+    """Angles of the two triangles of a plane unit.
+
+    Parameters: ``theta`` (radians) and ``ratio`` c = ‖A'C'‖/‖AB‖, scalars or arrays that
+    broadcast. Returns ``(alpha, beta, beta_prime)`` of that shape, radians: the closed form that
+    solves (2), (3) and the corrected (4). ValueError outside sin(θ/2) ≤ ratio < 1.
+    """
+    theta, c = np.broadcast_arrays(np.asarray(theta, float), np.asarray(ratio, float))
+    sigma = half_opening(theta) ** 2
+    low = np.sqrt(sigma)
+    require(
+        np.isfinite(c) & (c >= low - _SLACK) & (c < 1),
+        "Ratio{at} is {value:.6g}: for theta {0:.4g}° it must be at least sin(theta/2) = {1:.6g}"
+        " and below 1; change Ratio or make theta smaller (shorter edge or smaller Gamma).",
+        c, np.degrees(theta), low,
+    )
+    root = np.sqrt((1 - sigma) * np.clip(c * c - sigma, 0, None))
+    cos_alpha = np.sqrt(np.clip(2 * ((c + sigma) + root), 0, None)) / (1 + c)
+    cos_alpha = np.clip(cos_alpha, None, 1.0)
+    sin_alpha = np.sqrt(1 - cos_alpha**2)
+    b = apex_distance(cos_alpha, c)
+    alpha = np.arctan2(sin_alpha, cos_alpha)
+    beta = np.arctan2(b * sin_alpha, 1 - b * cos_alpha)
+    beta_prime = np.arctan2(c * sin_alpha, b - c * cos_alpha)
+    return alpha[()], beta[()], beta_prime[()]
+
+
+def apex_distance(cos_alpha, ratio):
+    """b = ‖AC‖ = ‖AP‖ in units of ‖AB‖: half of (1 + c) cos α."""
+    return (1 + ratio) * cos_alpha / 2
+
+
+def theta_for(alpha, beta):
+    """Opening angle θ of equation (3), radians; the range of (α, β) is the corrected one.
+
+    ``alpha``, ``beta`` in radians, scalars or arrays that broadcast. ValueError where
+    0 < α < π/2 and π/4 − α/2 ≤ β < π/2 − α do not hold, or tan α · tan β ≥ 1/2 (no dart).
+    """
+    alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
+    require(
+        np.isfinite(alpha) & (alpha > 0) & (alpha < np.pi / 2),
+        "Angle alpha{at} is {value:.6g}°: it must lie between 0° and 90°.",
+        np.degrees(alpha),
+    )
+    low, high = np.pi / 4 - alpha / 2, np.pi / 2 - alpha
+    require(
+        np.isfinite(beta) & (beta >= low - _SLACK) & (beta < high),
+        "Angle beta{at} is {value:.6g}°: for alpha {0:.4g}° it must be at least 45° - alpha/2 = "
+        "{1:.6g}° and below 90° - alpha = {2:.6g}°.",
+        np.degrees(beta), np.degrees(alpha), np.degrees(low), np.degrees(high),
+    )
+    product = np.tan(alpha) * np.tan(beta)
+    require(
+        product <= 0.5 + _SLACK,
+        "tan(alpha)*tan(beta){at} is {value:.6g}: it must be below 1/2, or the second triangle "
+        "has no dart; make alpha or beta smaller.",
+        product,
+    )
+    displacement = np.sqrt(np.clip(1 - (np.cos(beta) / np.sin(alpha + beta)) ** 2, 0, None))
+    return (2 * np.arcsin(displacement))[()]
+
+
+def beta_prime_for(alpha, beta):
+    """β' of equation (2); radians in and out, broadcasting."""
+    alpha, beta = np.asarray(alpha, float), np.asarray(beta, float)
+    return np.arctan(np.sin(beta) / (np.cos(beta + alpha) * np.cos(alpha)) - np.tan(alpha))[()]
+
+
+def ratio_for(alpha, beta):
+    """c = ‖A'C'‖/‖AB‖ of the corrected equation (4): ‖AC‖ sin β' / sin(α + β')."""
+    alpha, beta = np.asarray(alpha, float), np.asarray(beta, float)
+    beta_prime = beta_prime_for(alpha, beta)
+    b = np.sin(beta) / np.sin(alpha + beta)
+    return (b * np.sin(beta_prime) / np.sin(alpha + beta_prime))[()]
+
+
+def exact_sphere_ratio(theta):
+    """Ratio with which a spherical unit closes exactly: c = 1/(3 − 4 sin²(θ/2)).
+
+    ``theta`` in radians; ValueError outside 0 < θ ≤ π/3. At 60° it is the paper's 1/2.
+    """
+    theta = np.asarray(theta, float)
+    check_sphere_theta(theta)
+    return (1 / (3 - 4 * np.sin(theta / 2) ** 2))[()]
+
+
+def check_sphere_theta(theta):
+    """ValueError where a spherical unit's θ is not within 0 < θ ≤ 60° (section 4)."""
+    theta = np.asarray(theta, float)
+    require(
+        np.isfinite(theta) & (theta > 0) & (theta <= MAX_SPHERE_THETA + _SLACK),
+        "Opening angle theta{at} is {value:.6g}°: on a sphere it must be above 0° and below 60°; "
+        "use a smaller Gamma, a shorter EdgeLength or a gentler curve.",
+        np.degrees(theta),
+    )

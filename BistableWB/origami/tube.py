@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole tube: units of a placement in space, chained by the contact panels they share.
+
+Units are congruent by proper motions: x towards the joint B, z along the legs to "upper". Their
+own left contact panel (y < 0) is therefore the incoming one where the joint lies on the right of
+the path, and the outgoing one where it lies on the left; `Placement.sides` tells.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import angles
+from . import unit as units
+from .bezier import normalised
+from .creases import INDEX, PANELS
+from .deployment import contact_frame, inverse, moved, opening_state
+
+RULES = ("Fixed", "Exact", "Paper")
+FAMILIES = ("Plane", "Sphere")
+
+
+@dataclass(frozen=True)
+class Tube:
+    """Units (a batch `Unit`) and where they stand when deployed.
+
+    ``frames`` (n, 4, 4): unit's own deployed frame → space; ``incoming_left`` (n,) bool: the
+    unit's own left contact panel is the one shared with the previous unit.
+    """
+
+    unit: units.Unit
+    frames: np.ndarray
+    incoming_left: np.ndarray
+
+    def __len__(self):
+        return len(self.frames)
+
+    def deployed(self):
+        """Vertices (n, 10, 3) of all units in the deployed tube, exact."""
+        return moved(self.frames, self.unit.deployed)
+
+    def state(self, opening):
+        """Vertices (n, 10, 3) of the tube opened to the fraction ``opening`` in [0, 1].
+
+        The first contact panel stays where it is in the deployed tube; every unit hangs on the
+        outgoing contact panel of the one before.
+        """
+        if not 0 <= opening <= 1:
+            raise ValueError(f"Deployment is {opening:.6g}: it must lie between 0 and 1.")
+        deployed = self.deployed()
+        if opening == 1:
+            return deployed
+        own = opening_state(self.unit, opening)
+        before, after = self._shared_frames(deployed)
+        joints = inverse(after[:-1]) @ before[1:]
+        own_before, own_after = self._shared_frames(own)
+        steps = inverse(own_before) @ own_after
+        place = np.empty_like(self.frames)
+        hang = before[0]
+        for k in range(len(self)):
+            place[k] = hang @ inverse(own_before[k])
+            if k < len(joints):
+                hang = hang @ steps[k] @ joints[k]
+        return moved(place, own)
+
+    def _shared_frames(self, points):
+        """Frames (n, 4, 4) of the incoming and of the outgoing contact panel of every unit."""
+        left, right = contact_frame(points, "left"), contact_frame(points, "right")
+        which = self.incoming_left[:, None, None]
+        return np.where(which, left, right), np.where(which, right, left)
+
+
+def ratio_by_rule(rule, theta, ratio=None):
+    """Ratio c of every unit: the given ``ratio`` (Fixed), 1/(3 − 4 sin²(θ/2)) (Exact), 1/2 (Paper).
+
+    ``theta`` in radians. ValueError for an unknown rule, and where a rule does not cover θ.
+    """
+    if rule == "Fixed":
+        return ratio
+    if rule == "Exact":
+        return angles.exact_sphere_ratio(theta)
+    if rule == "Paper":
+        return 0.5
+    raise ValueError(f"RatioRule {rule!r} is unknown: choose one of {', '.join(RULES)}.")
+
+
+def make_unit(family, theta, edge_length, height_ratio, rule="Fixed", ratio=None, omega=None):
+    """A `Unit` (or batch) of family "Plane" or "Sphere" by the surface's parameters.
+
+    ``theta`` and ``omega`` in radians, ``height_ratio`` = ‖AB‖/h; ``rule`` and ``ratio`` as in
+    `ratio_by_rule`. ValueError for a free ratio on a sphere, where it does not close.
+    """
+    if not (np.isfinite(height_ratio) and height_ratio > 0):
+        raise ValueError(
+            f"HeightRatio ‖AB‖/h is {height_ratio:.6g}: it must be a number above 0, 2.5 is usual."
+        )
+    height = edge_length / height_ratio
+    if family == "Sphere":
+        if rule == "Fixed":
+            raise ValueError(
+                "RatioRule Fixed does not close on a sphere: choose Exact (or Paper for the "
+                "paper's 1/2)."
+            )
+        return units.sphere_unit(theta, edge_length, omega, height, rule.lower())
+    return units.plane_unit(theta, ratio_by_rule(rule, theta, ratio), edge_length, height)
+
+
+def along(placement, family, height_ratio, rule="Fixed", ratio=None, sphere_radius=None):
+    """The `Tube` of a `Placement`; parameters as in `make_unit`, ``sphere_radius`` of the curve."""
+    edge_length = placement.edge_length
+    if family == "Sphere":
+        _check_on_sphere(placement, sphere_radius)
+    omega = None if sphere_radius is None else float(np.arctan2(2 * sphere_radius, edge_length))
+    unit = make_unit(family, placement.thetas, edge_length, height_ratio, rule, ratio, omega)
+    return Tube(unit, _frames(placement, unit), placement.sides < 0)
+
+
+def _check_on_sphere(placement, radius):
+    """The distance of all midpoints from V must be the radius of the curve's sphere."""
+    reach = placement.distances_from_centre
+    off = np.abs(reach - radius)
+    if off.max() > 1e-6 * radius:
+        k = int(np.argmax(off))
+        raise ValueError(
+            f"Curve is not on the sphere: near midpoint {k + 1} it is {reach[k]:.6g} mm from the "
+            f"centre instead of SphereRadius {radius:.6g} mm; project the curve onto the sphere or "
+            "correct SphereRadius and SphereCenter."
+        )
+
+
+def single(unit):
+    """A `Tube` of one unit that stands in its own frame."""
+    batch = unit if unit.flat.ndim == 3 else unit[None]
+    return Tube(batch, np.eye(4)[None], np.ones(1, bool))
+
+
+def _frames(placement, unit):
+    """Where the units' own deployed frames stand: (n, 4, 4).
+
+    The base A_left–B–A_right of each unit is laid on the zigzag; with a pitch its B lies in the
+    middle of the double hinge that joins the two contact blocks.
+    """
+    start, joint = placement.segments[:-1, 0], placement.segments[:-1, 1]
+    next_joint, end = placement.segments[1:, 0], placement.segments[1:, 1]
+    travel = normalised(end - start)
+    x = (joint + next_joint) / 2 - (start + end) / 2
+    x = normalised(x - (x * travel).sum(1, keepdims=True) * travel)
+    z = np.cross(x, travel)
+    z *= np.sign((z * placement.legs[:-1]).sum(1, keepdims=True))
+    frames = np.zeros((len(placement), 4, 4))
+    frames[:, :3, 0], frames[:, :3, 1], frames[:, :3, 2] = x, np.cross(z, x), z
+    frames[:, 3, 3] = 1
+    # The base that follows the zigzag: half way up the strip (plane) or the outer one (sphere).
+    base = unit.deployed[:, INDEX["B_upper"]].copy()
+    base[:, 2] = 0 if unit.omega == np.pi / 2 else base[:, 2]
+    frames[:, :3, 3] = (joint + next_joint) / 2 - np.einsum("nij,nj->ni", frames[:, :3, :3], base)
+    return frames
+
+
+def panel_polygons(points, unit_index):
+    """Panels of one unit: list of (panel name, (k, 3) corners) in the table's order."""
+    return [
+        (name, points[unit_index][[INDEX[c] for c in corners]]) for name, corners in PANELS.items()
+    ]
