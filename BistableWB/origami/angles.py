@@ -45,10 +45,10 @@ def angles_for(theta, ratio):
         " and below 1; change Ratio or make theta smaller (shorter edge or smaller Gamma).",
         c, np.degrees(theta), low,
     )
-    root = np.sqrt((1 - sigma) * np.clip(c * c - sigma, 0, None))
-    cos_alpha = np.sqrt(np.clip(2 * ((c + sigma) + root), 0, None)) / (1 + c)
-    cos_alpha = np.clip(cos_alpha, None, 1.0)
-    sin_alpha = np.sqrt(1 - cos_alpha**2)
+    # cos² α = 2 [(c + σ) + √((1 − σ)(c² − σ))] / (1 + c)², and its complement without cancellation.
+    long, short = np.sqrt(1 - sigma), np.sqrt(np.clip(c * c - sigma, 0, None))
+    cos_alpha = np.sqrt(2 * ((c + sigma) + long * short)) / (1 + c)
+    sin_alpha = (1 - c) / (long + short)
     b = apex_distance(cos_alpha, c)
     alpha = np.arctan2(sin_alpha, cos_alpha)
     beta = np.arctan2(b * sin_alpha, 1 - b * cos_alpha)
@@ -87,8 +87,9 @@ def theta_for(alpha, beta):
         "has no dart; make alpha or beta smaller.",
         product,
     )
-    displacement = np.sqrt(np.clip(1 - (np.cos(beta) / np.sin(alpha + beta)) ** 2, 0, None))
-    return (2 * np.arcsin(displacement))[()]
+    # 1 − cos² β / sin²(α + β) = −cos α cos(α + 2β) / sin²(α + β), without cancellation.
+    square = -np.cos(alpha) * np.cos(alpha + 2 * beta) / np.sin(alpha + beta) ** 2
+    return (2 * np.arcsin(np.sqrt(np.clip(square, 0, 1))))[()]
 
 
 def beta_prime_for(alpha, beta):

@@ -23,6 +23,13 @@ class Bezier:
         for k in range(min(2, degree)):
             self._levels.append((degree - k) * np.diff(self._levels[-1], axis=0))
 
+    @property
+    def bend(self):
+        """Bound on the length of the second derivative by s: its longest control vector."""
+        if len(self._levels) < 3:
+            return 0.0
+        return float(np.linalg.norm(self._levels[2], axis=1).max())
+
     def point(self, s):
         """Points at s: shape (…, 3)."""
         return _bernstein(self._levels[0], s)

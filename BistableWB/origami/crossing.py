@@ -10,6 +10,7 @@ import numpy as np
 
 _CHUNK = 32
 _FIRST = 512
+_PIECE = 8  # nodes inside every piece of a curve made of pieces
 _SPLIT = 16
 _DEEPEST = 3
 _SAFETY = 2.0  # sampled deviation -> bound; the true maximum lies between the samples
@@ -19,12 +20,14 @@ class CurveTable:
     """Nodes of ``curve`` (anything with ``point(s)``), refined for features of size ``scale``.
 
     ``parameters`` (m,), ``points`` (m, 3), ``lengths`` (m,) cumulated along the chords,
-    ``deviations`` (m − 1,): bound on the distance of the curve from each chord.
+    ``deviations`` (m − 1,): bound on the distance of the curve from each chord. The bound is strict
+    for a curve that gives ``bend``, a bound on its second derivative by s; else it is sampled, so a
+    curve made of pieces should give ``breaks``, the parameters where they meet.
     """
 
     def __init__(self, curve, scale):
         self.curve = curve
-        s = np.linspace(0, 1, _FIRST + 1)
+        s = _first_nodes(getattr(curve, "breaks", ()))
         points = np.asarray(curve.point(s), float)
         for _ in range(30):
             deviation = self._deviations(s, points)
@@ -43,6 +46,8 @@ class CurveTable:
         )
 
     def _deviations(self, s, points):
+        if hasattr(self.curve, "bend"):
+            return self.curve.bend * np.diff(s) ** 2 / 8
         worst = np.zeros(len(s) - 1)
         start, chord = points[:-1], np.diff(points, axis=0)
         square = np.maximum((chord * chord).sum(1), 1e-300)
@@ -114,3 +119,13 @@ class CurveTable:
                 f_high /= 1 + (side == -1)
                 side = -1
         return min(max(s, low), high)
+
+
+def _first_nodes(breaks):
+    """Evenly spaced parameters, and some inside every piece between ``breaks``."""
+    s = np.linspace(0, 1, _FIRST + 1)
+    if len(breaks) > 2:
+        ends = np.asarray(breaks, float)
+        inner = ends[:-1, None] + np.diff(ends)[:, None] * np.arange(_PIECE) / _PIECE
+        s = np.union1d(s, inner)
+    return s

@@ -98,6 +98,7 @@ def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False):
     a closed curve, an edge too long, a radius of curvature too small and a path that meets itself.
     """
     _check_parameters(edge_length, gamma, pitch)
+    _check_count(curve, edge_length, gamma)
     table = CurveTable(curve, edge_length)
     _check_open(table, edge_length)
     legs = Legs(legs)
@@ -120,11 +121,6 @@ def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False):
         parameters.append(parameter)
         midpoints.append(point)
         directions.append(direction)
-        if len(sines) > _MAX_UNITS:
-            raise ValueError(
-                f"EdgeLength {edge_length:.6g} mm would need more than {_MAX_UNITS} units along "
-                f"{table.lengths[-1]:.6g} mm of curve; make EdgeLength longer."
-            )
     if not sines:
         raise ValueError(
             f"EdgeLength ‖AB‖ = {edge_length:.6g} mm is too long for this curve of length "
@@ -235,6 +231,17 @@ def _check_parameters(edge_length, gamma, pitch):
         "quarter of EdgeLength ({0:.6g} mm).",
         pitch, edge_length / 4,
     )  # fmt: skip
+
+
+def _check_count(curve, edge_length, gamma):
+    """A unit advances by ‖AB‖ sin(θ/2), about ‖AB‖ sin γ: refuse more units than anyone prints."""
+    rough = np.asarray(curve.point(np.linspace(0, 1, 1025)), float)
+    length = np.linalg.norm(np.diff(rough, axis=0), axis=1).sum()
+    if length > _MAX_UNITS * edge_length * np.sin(gamma):
+        raise ValueError(
+            f"EdgeLength {edge_length:.6g} mm with Gamma {np.degrees(gamma):.4g}° would need more "
+            f"than {_MAX_UNITS} units along {length:.6g} mm of curve; make EdgeLength longer."
+        )
 
 
 def _check_open(table, edge_length):

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Macro API: one function an object. mm and degrees; the document is not recomputed."""
+
+import FreeCAD as App
+
+from .objects import proxy_class
+from .objects.base import make_object
+
+
+def make_curve(doc, points=None, source=None, kind="Plane", sphere_radius=None, name="Curve"):
+    """An open curve by control ``points`` (two or more) or by ``source``.
+
+    ``source``: an object with edges, or (object, sub-element names). ``kind``: "Plane" or
+    "Sphere"; ``sphere_radius`` in mm. Without points and source: the example arch.
+    """
+    obj = _make(doc, "Bistable::Curve", name)
+    if points is not None:
+        obj.Points = [App.Vector(*p) for p in points]
+    if source is not None:
+        obj.Source = source if isinstance(source, tuple) else (source, [""])
+    obj.Kind = kind
+    if sphere_radius is not None:
+        obj.SphereRadius = sphere_radius
+    return obj
+
+
+def make_triangle_placement(doc, curve, edge_length=40.0, gamma=20.0):
+    """Triangles along a Curve object: ``edge_length`` ‖AB‖ in mm, ``gamma`` in degrees."""
+    obj = _make(doc, "Bistable::TrianglePlacement", "TrianglePlacement")
+    obj.Curve = curve
+    obj.EdgeLength = edge_length
+    obj.Gamma = gamma
+    return obj
+
+
+def make_bistable_unit(
+    doc, triangles=None, theta=None, ratio=None, edge_length=None, height_ratio=2.5
+):
+    """Units of a whole tube (``triangles``), or one unit by ``theta`` (°) and ``edge_length`` (mm).
+
+    ``ratio`` = ‖A'C'‖/‖AB‖. On a sphere the rule Exact is chosen, elsewhere Fixed.
+    """
+    obj = _make(doc, "Bistable::BistableUnit", "BistableUnit")
+    obj.Triangles = triangles
+    obj.HeightRatio = height_ratio
+    for name, value in (("Theta", theta), ("Ratio", ratio), ("EdgeLength", edge_length)):
+        if value is not None:
+            setattr(obj, name, value)
+    curve = getattr(triangles, "Curve", None)
+    if getattr(curve, "Kind", "") == "Sphere" and ratio is None:
+        obj.RatioRule = "Exact"
+    return obj
+
+
+def _make(doc, type_name, name):
+    return make_object(doc, type_name, name, proxy_class(type_name))

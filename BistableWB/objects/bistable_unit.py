@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""BistableUnit: the zero-thickness faces of a whole tube, or of one unit by itself."""
+
+import math
+
+import FreeCAD as App
+import numpy as np
+import Part
+
+from ..origami import tube as tubes
+from ..origami.creases import INDEX, PANELS
+from .base import BistableObject, Prop, Result, global_placement, require_link, set_result
+from .triangle_placement import TrianglePlacement, place_along
+
+_ALONE = ("Theta", "EdgeLength", "Omega")
+_FLAT_ENOUGH = 1e-7  # mm that a corner may lie off its panel's plane
+
+
+class BistableUnit(BistableObject):
+    """Twelve panels a unit, in two congruent states and the least-misfit way between them."""
+
+    Type = "Bistable::BistableUnit"
+    PROPERTIES = (
+        Prop("Link", "Triangles", "Unit", "TrianglePlacement whose whole tube is made; empty: one "
+             "unit by itself from Theta and EdgeLength"),
+        Prop("Angle", "Theta", "Unit", "Opening angle of the single unit", 45.0),
+        Prop("Length", "EdgeLength", "Unit", "Length ‖AB‖ of the single unit", 60.0),
+        Prop("Angle", "Omega", "Unit", "Base angle ω of the single unit's contact trapezoids; "
+             "90° is a plane unit, less is a unit on a sphere", 90.0),
+        Prop("Enumeration", "RatioRule", "Unit", "How the ratio ‖A'C'‖/‖AB‖ is chosen. Fixed: by "
+             "Ratio. Exact: the ratio that closes on a sphere. Paper: 1/2", list(tubes.RULES)),
+        Prop("Float", "Ratio", "Unit", "Ratio ‖A'C'‖/‖AB‖ for the rule Fixed: at least "
+             "sin(theta/2) and below 1; nearer to sin(theta/2) snaps harder", 0.5),
+        Prop("Float", "HeightRatio", "Unit", "‖AB‖ / h: edge length to height of the strip", 2.5),
+        Prop("FloatConstraint", "Deployment", "State", "0 is flat-folded, 1 is deployed; both "
+             "exact, between them the state of least misfit", (1.0, 0.0, 1.0, 0.05)),
+        Result("FloatList", "Alphas", "Results", "Angle alpha of every unit, degrees"),
+        Result("FloatList", "Betas", "Results", "Angle beta of every unit, degrees"),
+        Result("FloatList", "BetaPrimes", "Results", "Angle beta' of every unit, degrees"),
+        Result("FloatList", "Ratios", "Results", "Ratio ‖A'C'‖/‖AB‖ of every unit"),
+        Result("Float", "IsometryError", "Results", "Largest relative change of any edge or "
+               "diagonal of a panel between flat and deployed"),
+        Result("Float", "Residual", "Results", "Largest relative change of a panel edge: what the "
+               "ratio rule leaves unclosed"),
+    )  # fmt: skip
+
+    def onChanged(self, obj, name):
+        """Show only the inputs that count: a tube takes angle and length from its triangles."""
+        if name == "Triangles" and "Omega" in obj.PropertiesList:
+            for prop in _ALONE:
+                obj.setEditorMode(prop, 2 if obj.Triangles else 0)
+
+    def onDocumentRestored(self, obj):
+        """Migrate, then set what the editor shows."""
+        super().onDocumentRestored(obj)
+        self.onChanged(obj, "Triangles")
+
+    def generate(self, obj):
+        """Faces of all panels at `Deployment`, and the angles and ratios of the units."""
+        tube = tube_of(obj)
+        unit = tube.unit
+        points = tube.state(obj.Deployment)
+        set_result(
+            obj,
+            Alphas=_degrees(unit.alpha),
+            Betas=_degrees(unit.beta),
+            BetaPrimes=_degrees(unit.beta_prime),
+            Ratios=np.broadcast_to(unit.ratio, len(unit)).tolist(),
+            IsometryError=float(unit.isometry_error().max()),
+            Residual=float(unit.residual().max()),
+        )
+        if obj.Triangles is not None:
+            matrix = np.array(global_placement(obj).inverse().toMatrix().A).reshape(4, 4)
+            points = points @ matrix[:3, :3].T + matrix[:3, 3]
+        obj.Shape = faces(points)
+
+
+def tube_of(obj):
+    """The `Tube` of a BistableUnit object; a single unit is a tube of one."""
+    if obj.Triangles is None:
+        return tubes.single(_single_unit(obj))
+    hint = "choose a TrianglePlacement of this workbench, or none for a single unit"
+    triangles = require_link(obj, "Triangles", TrianglePlacement.Type, hint)
+    placed, geometry = place_along(triangles)
+    return tubes.along(
+        placed, geometry.family, obj.HeightRatio, obj.RatioRule, obj.Ratio, geometry.sphere_radius
+    )
+
+
+def _single_unit(obj):
+    omega = obj.Omega.Value
+    if not 0 < omega <= 90:
+        raise ValueError(
+            f"Omega is {omega:.6g}°: set it to 90° for a plane unit, or above 0° and below 90° for "
+            "a unit on a sphere."
+        )
+    return tubes.make_unit(
+        "Plane" if omega == 90 else "Sphere",
+        np.array([math.radians(obj.Theta.Value)]),
+        obj.EdgeLength.Value,
+        obj.HeightRatio,
+        obj.RatioRule,
+        obj.Ratio,
+        math.radians(omega),
+    )
+
+
+def faces(points):
+    """Compound of 12 faces a unit, unit by unit, panels in the order of the crease table.
+
+    ``points``: (n, 10, 3) vertices. A quadrilateral that is bent between the two states becomes
+    the bilinear face through its corners.
+    """
+    panels = [[INDEX[corner] for corner in corners] for corners in PANELS.values()]
+    made = []
+    for unit in points:
+        vectors = [App.Vector(*p) for p in unit.tolist()]
+        for corners in panels:
+            made.append(_face([vectors[i] for i in corners]))
+    return Part.makeCompound(made)
+
+
+def _face(corners):
+    if len(corners) == 4:
+        a, b, c, d = corners
+        normal = (b - a).cross(d - a).normalize()
+        if abs(normal.dot(c - a)) > _FLAT_ENOUGH:
+            surface = Part.BSplineSurface()
+            surface.buildFromPolesMultsKnots(
+                [[a, b], [d, c]], (2, 2), (2, 2), (0, 1), (0, 1), False, False, 1, 1
+            )
+            return surface.toShape()
+    return Part.Face(Part.makePolygon([*corners, corners[0]]))
+
+
+def _degrees(radians):
+    return np.degrees(np.atleast_1d(radians)).tolist()
