@@ -78,8 +78,8 @@ def test_first_crossing_is_found_on_a_narrow_excursion():
             bump = -16.0 * np.exp(-(((s - 0.1235) / 2e-4) ** 2))
             return np.stack([100 * s, bump, 0 * s], -1)
 
-    with pytest.raises(ValueError, match=r"radius of curvature is too small near \(12.3"):
-        place(Spike(), 30, np.radians(20))
+    placed = place(Spike(), 30, np.radians(20))
+    assert 0.1228 < placed.parameters[1] < 0.1235  # on the spike's flank, not beyond it
 
 
 def test_arc_gives_two_alternating_angles():
