@@ -38,7 +38,8 @@ def make_bistable_unit(
 ):
     """Units of a whole tube (``triangles``), or one unit by ``theta`` (°) and ``edge_length`` (mm).
 
-    ``ratio`` = ‖A'C'‖/‖AB‖. On a sphere the rule Exact is chosen, elsewhere Fixed.
+    ``ratio`` = ‖A'C'‖/‖AB‖ of all units (rule Fixed). Without it the rule is Adaptive on a plane
+    and Exact on a sphere.
     """
     obj = _make(doc, "Bistable::BistableUnit", "BistableUnit")
     obj.Triangles = triangles
@@ -47,7 +48,7 @@ def make_bistable_unit(
         if value is not None:
             setattr(obj, name, value)
     curve = getattr(triangles, "Curve", None)
-    if getattr(curve, "Kind", "") == "Sphere" and ratio is None:
+    if getattr(curve, "Kind", "") == "Sphere":
         obj.RatioRule = "Exact"
     return obj
 

@@ -67,6 +67,11 @@ class BistableObject:
     def migrate(self, obj, version):
         """Bring an object of an older ``version`` up to date. Nothing to do since version 1."""
 
+    @staticmethod
+    def ready(obj):
+        """Whether ``obj`` has all its properties and is not being restored from a file."""
+        return "BistableVersion" in obj.PropertiesList and "Restore" not in obj.State
+
     def execute(self, obj):
         """Recompute: refuse what cannot be with a ValueError, else make Shape and results."""
         self.generate(obj)

@@ -9,6 +9,7 @@ import Part
 
 from ..origami import tube as tubes
 from ..origami.creases import INDEX, PANELS
+from ..origami.ratios import DEFAULT_SHARE, RULES, RatioRule
 from .base import BistableObject, Prop, Result, global_placement, require_link, set_result
 from .triangle_placement import TrianglePlacement, place_along
 
@@ -27,10 +28,14 @@ class BistableUnit(BistableObject):
         Prop("Length", "EdgeLength", "Unit", "Length ‖AB‖ of the single unit", 60.0),
         Prop("Angle", "Omega", "Unit", "Base angle ω of the single unit's contact trapezoids; "
              "90° is a plane unit, less is a unit on a sphere", 90.0),
-        Prop("Enumeration", "RatioRule", "Unit", "How the ratio ‖A'C'‖/‖AB‖ is chosen. Fixed: by "
-             "Ratio. Exact: the ratio that closes on a sphere. Paper: 1/2", list(tubes.RULES)),
-        Prop("Float", "Ratio", "Unit", "Ratio ‖A'C'‖/‖AB‖ for the rule Fixed: at least "
-             "sin(theta/2) and below 1; nearer to sin(theta/2) snaps harder", 0.5),
+        Prop("Enumeration", "RatioRule", "Unit", "How the ratio ‖A'C'‖/‖AB‖ is chosen. Adaptive: "
+             "by RatioShare, for every unit anew. Fixed: by Ratio. Exact: the ratio that closes "
+             "on a sphere. Paper: 1/2", list(RULES)),
+        Prop("Float", "Ratio", "Unit", "Ratio ‖A'C'‖/‖AB‖ of all units (setting it chooses the "
+             "rule Fixed): at least sin(theta/2) and below 1; nearer to sin(theta/2) snaps harder",
+             0.5),
+        Prop("Float", "RatioShare", "Unit", "For the rule Adaptive: where the ratio lies between "
+             "sin(theta/2) (0) and 1; smaller snaps harder", DEFAULT_SHARE),
         Prop("Float", "HeightRatio", "Unit", "‖AB‖ / h: edge length to height of the strip", 2.5),
         Prop("FloatConstraint", "Deployment", "State", "0 is flat-folded, 1 is deployed; both "
              "exact, between them the state of least misfit", (1.0, 0.0, 1.0, 0.05)),
@@ -46,7 +51,10 @@ class BistableUnit(BistableObject):
 
     def onChanged(self, obj, name):
         """Show only the inputs that count: a tube takes angle and length from its triangles."""
-        if name == "Triangles" and "Omega" in obj.PropertiesList:
+        if name == "Ratio" and self.ready(obj):
+            if obj.RatioRule == "Adaptive":
+                obj.RatioRule = "Fixed"  # whoever sets a ratio means it
+        elif name == "Triangles" and "Omega" in obj.PropertiesList:
             for prop in _ALONE:
                 obj.setEditorMode(prop, 2 if obj.Triangles else 0)
 
@@ -83,8 +91,12 @@ def tube_of(obj):
     triangles = require_link(obj, "Triangles", TrianglePlacement.Type, hint)
     placed, geometry = place_along(triangles)
     return tubes.along(
-        placed, geometry.family, obj.HeightRatio, obj.RatioRule, obj.Ratio, geometry.sphere_radius
+        placed, geometry.family, obj.HeightRatio, _rule(obj), geometry.sphere_radius
     )
+
+
+def _rule(obj):
+    return RatioRule(obj.RatioRule, obj.Ratio, obj.RatioShare)
 
 
 def _single_unit(obj):
@@ -99,8 +111,7 @@ def _single_unit(obj):
         np.array([math.radians(obj.Theta.Value)]),
         obj.EdgeLength.Value,
         obj.HeightRatio,
-        obj.RatioRule,
-        obj.Ratio,
+        _rule(obj),
         math.radians(omega),
     )
 

@@ -10,13 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import angles
 from . import unit as units
 from .bezier import normalised
 from .creases import INDEX, PANELS
 from .deployment import contact_frame, inverse, moved, opening_state
 
-RULES = ("Fixed", "Exact", "Paper")
 FAMILIES = ("Plane", "Sphere")
 
 
@@ -70,25 +68,11 @@ class Tube:
         return np.where(which, left, right), np.where(which, right, left)
 
 
-def ratio_by_rule(rule, theta, ratio=None):
-    """Ratio c of every unit: the given ``ratio`` (Fixed), 1/(3 − 4 sin²(θ/2)) (Exact), 1/2 (Paper).
-
-    ``theta`` in radians. ValueError for an unknown rule, and where a rule does not cover θ.
-    """
-    if rule == "Fixed":
-        return ratio
-    if rule == "Exact":
-        return angles.exact_sphere_ratio(theta)
-    if rule == "Paper":
-        return 0.5
-    raise ValueError(f"RatioRule {rule!r} is unknown: choose one of {', '.join(RULES)}.")
-
-
-def make_unit(family, theta, edge_length, height_ratio, rule="Fixed", ratio=None, omega=None):
+def make_unit(family, theta, edge_length, height_ratio, rule, omega=None):
     """A `Unit` (or batch) of family "Plane" or "Sphere" by the surface's parameters.
 
-    ``theta`` and ``omega`` in radians, ``height_ratio`` = ‖AB‖/h; ``rule`` and ``ratio`` as in
-    `ratio_by_rule`. ValueError for a free ratio on a sphere, where it does not close.
+    ``theta`` and ``omega`` in radians, ``height_ratio`` = ‖AB‖/h, ``rule`` a `ratios.RatioRule`.
+    ValueError for a free ratio on a sphere, where it does not close.
     """
     if not (np.isfinite(height_ratio) and height_ratio > 0):
         raise ValueError(
@@ -96,22 +80,17 @@ def make_unit(family, theta, edge_length, height_ratio, rule="Fixed", ratio=None
         )
     height = edge_length / height_ratio
     if family == "Sphere":
-        if rule == "Fixed":
-            raise ValueError(
-                "RatioRule Fixed does not close on a sphere: choose Exact (or Paper for the "
-                "paper's 1/2)."
-            )
-        return units.sphere_unit(theta, edge_length, omega, height, rule.lower())
-    return units.plane_unit(theta, ratio_by_rule(rule, theta, ratio), edge_length, height)
+        return units.sphere_unit(theta, edge_length, omega, height, rule.for_sphere())
+    return units.plane_unit(theta, rule.ratios(theta), edge_length, height)
 
 
-def along(placement, family, height_ratio, rule="Fixed", ratio=None, sphere_radius=None):
+def along(placement, family, height_ratio, rule, sphere_radius=None):
     """The `Tube` of a `Placement`; parameters as in `make_unit`, ``sphere_radius`` of the curve."""
     edge_length = placement.edge_length
     if family == "Sphere":
         _check_on_sphere(placement, sphere_radius)
     omega = None if sphere_radius is None else float(np.arctan2(2 * sphere_radius, edge_length))
-    unit = make_unit(family, placement.thetas, edge_length, height_ratio, rule, ratio, omega)
+    unit = make_unit(family, placement.thetas, edge_length, height_ratio, rule, omega)
     return Tube(unit, _frames(placement, unit), placement.sides < 0)
 
 

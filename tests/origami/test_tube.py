@@ -9,6 +9,7 @@ from BistableWB.origami.bezier import Bezier
 from BistableWB.origami.creases import INDEX, PANELS
 from BistableWB.origami.deployment import misfit, opening_state
 from BistableWB.origami.placement import place
+from BistableWB.origami.ratios import RatioRule
 
 ARCH = [(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)]
 
@@ -22,12 +23,12 @@ class OnSphere:
 
 def plane_tube(pitch=0.0):
     placed = place(Bezier(ARCH), 40, np.radians(20), pitch)
-    return placed, tubes.along(placed, "Plane", 2.5, "Fixed", 0.5)
+    return placed, tubes.along(placed, "Plane", 2.5, RatioRule("Fixed", 0.5))
 
 
 def sphere_tube():
     placed = place(OnSphere(), 40, np.radians(20), legs=("point", (0, 0, 0)))
-    return placed, tubes.along(placed, "Sphere", 2.5, "Exact", sphere_radius=120)
+    return placed, tubes.along(placed, "Sphere", 2.5, RatioRule("Exact"), sphere_radius=120)
 
 
 def shared(tube, points, k, which):
@@ -123,11 +124,13 @@ def test_thick_placement_centres_units_in_their_double_hinges():
     [
         (lambda: plane_tube()[1].state(1.2), "Deployment is 1.2"),
         (lambda: plane_tube()[1].state(np.nan), "Deployment is nan"),
-        (lambda: tubes.make_unit("Plane", 0.8, 40, 0, "Fixed", 0.5), "HeightRatio"),
-        (lambda: tubes.make_unit("Plane", 0.8, 40, 2.5, "Best", 0.5), "RatioRule 'Best'"),
-        (lambda: tubes.make_unit("Sphere", 0.8, 40, 2.5, "Fixed", 0.5, 1.4), "RatioRule Fixed"),
+        (lambda: tubes.make_unit("Plane", 0.8, 40, 0, RatioRule("Fixed", 0.5)), "HeightRatio"),
+        (lambda: tubes.make_unit("Plane", 0.8, 40, 2.5, RatioRule("Best")), "RatioRule 'Best'"),
+        (lambda: tubes.make_unit("Sphere", 0.8, 40, 2.5, RatioRule(), 1.4), "RatioRule Adaptive"),
+        (lambda: RatioRule(share=1.0).ratios(0.8), "RatioShare is 1"),
+        (lambda: RatioRule(share=np.nan).ratios(0.8), "RatioShare is nan"),
         (
-            lambda: tubes.along(sphere_tube()[0], "Sphere", 2.5, "Exact", sphere_radius=110),
+            lambda: tubes.along(sphere_tube()[0], "Sphere", 2.5, RatioRule("Exact"), sphere_radius=110),
             "not on the sphere.*SphereRadius",
         ),
     ],
@@ -139,7 +142,15 @@ def test_refusals(call, words):
 
 def test_every_rule_gives_its_ratio():
     theta = np.radians([40.0, 55.0])
-    assert tubes.make_unit("Plane", theta, 40, 2.5, "Paper").ratio == pytest.approx([0.5, 0.5])
-    exact = tubes.make_unit("Plane", theta, 40, 2.5, "Exact")
+    assert tubes.make_unit("Plane", theta, 40, 2.5, RatioRule("Paper")).ratio == pytest.approx([0.5, 0.5])
+    exact = tubes.make_unit("Plane", theta, 40, 2.5, RatioRule("Exact"))
     assert exact.ratio == pytest.approx(1 / (3 - 4 * np.sin(theta / 2) ** 2))
     assert exact.isometry_error().max() < 1e-12
+
+
+def test_adaptive_ratios_are_in_range_for_every_theta():
+    theta = np.radians(np.linspace(1, 170, 40))
+    ratio = RatioRule(share=0.1).ratios(theta)
+    assert (ratio > np.sin(theta / 2)).all()
+    assert (ratio < 1).all()
+    assert RatioRule(share=0.0).ratios(theta) == pytest.approx(np.sin(theta / 2))

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How every unit's ratio c = ‖A'C'‖/‖AB‖ is chosen: on a plane it is free in [sin(θ/2), 1)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .angles import exact_sphere_ratio, half_opening
+
+RULES = ("Adaptive", "Fixed", "Exact", "Paper")
+SPHERE_RULES = ("Exact", "Paper")
+DEFAULT_SHARE = 0.1
+
+
+@dataclass(frozen=True)
+class RatioRule:
+    """A rule by its ``name`` and its number.
+
+    Adaptive: c lies at the fraction ``share`` of the way from sin(θ/2) to 1, so that it is in
+    range for every θ. Fixed: the given ``ratio``. Exact: 1/(3 − 4 sin²(θ/2)), which closes on a
+    sphere. Paper: 1/2.
+    """
+
+    name: str = "Adaptive"
+    ratio: float | None = None
+    share: float = DEFAULT_SHARE
+
+    def ratios(self, theta):
+        """Ratios for ``theta`` (radians, scalar or array); ValueError for a bad rule or number."""
+        if self.name == "Adaptive":
+            if not (np.isfinite(self.share) and 0 <= self.share < 1):
+                raise ValueError(
+                    f"RatioShare is {self.share:.6g}: it must be at least 0 and below 1; 0.05 to "
+                    "0.2 is usual, smaller snaps harder."
+                )
+            low = half_opening(theta)
+            return low + self.share * (1 - low)
+        if self.name == "Fixed":
+            return self.ratio
+        if self.name == "Exact":
+            return exact_sphere_ratio(theta)
+        if self.name == "Paper":
+            return 0.5
+        raise ValueError(f"RatioRule {self.name!r} is unknown: choose one of {', '.join(RULES)}.")
+
+    def for_sphere(self):
+        """The rule's name for `unit.sphere_unit`; ValueError for a rule that does not close."""
+        if self.name not in SPHERE_RULES:
+            raise ValueError(
+                f"RatioRule {self.name} does not close on a sphere: choose Exact (or Paper for the "
+                "paper's 1/2)."
+            )
+        return self.name.lower()
