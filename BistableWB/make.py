@@ -53,5 +53,23 @@ def make_bistable_unit(
     return obj
 
 
+def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
+    """Thick, hinged panels for a BistableUnit object; ``preset``: a column of the paper's tables.
+
+    A tube's TrianglePlacement that does not allow for thickness yet gets the pitch of the panels.
+    """
+    from .objects.hinge_set import apply_preset, hinge_parameters
+
+    obj = _make(doc, "Bistable::HingeSet", "HingeSet")
+    obj.Unit = unit
+    obj.HingeType = hinge_type
+    if preset is not None:
+        apply_preset(obj, preset)
+    triangles = getattr(unit, "Triangles", None)
+    if triangles is not None and triangles.Thickness.Value == 0:
+        triangles.Thickness = hinge_parameters(obj).pitch
+    return obj
+
+
 def _make(doc, type_name, name):
     return make_object(doc, type_name, name, proxy_class(type_name))

@@ -8,6 +8,7 @@ TYPES = {
     "Bistable::Curve": ("curve", "Curve"),
     "Bistable::TrianglePlacement": ("triangle_placement", "TrianglePlacement"),
     "Bistable::BistableUnit": ("bistable_unit", "BistableUnit"),
+    "Bistable::HingeSet": ("hinge_set", "HingeSet"),
 }
 
 

@@ -85,13 +85,25 @@ class BistableUnit(BistableObject):
 
 def tube_of(obj):
     """The `Tube` of a BistableUnit object; a single unit is a tube of one."""
-    if obj.Triangles is None:
+    triangles = triangles_below(obj)
+    if triangles is None:
         return tubes.single(_single_unit(obj))
-    hint = "choose a TrianglePlacement of this workbench, or none for a single unit"
-    triangles = require_link(obj, "Triangles", TrianglePlacement.Type, hint)
     placed, geometry = place_along(triangles)
+    return tube_on(obj, placed, geometry)
+
+
+def triangles_below(obj):
+    """The TrianglePlacement of a BistableUnit object, None for a single unit."""
+    if obj.Triangles is None:
+        return None
+    hint = "choose a TrianglePlacement of this workbench, or none for a single unit"
+    return require_link(obj, "Triangles", TrianglePlacement.Type, hint)
+
+
+def tube_on(obj, placed, geometry, tuning=None):
+    """The `Tube` by the parameters of a BistableUnit object on a `Placement`."""
     return tubes.along(
-        placed, geometry.family, obj.HeightRatio, _rule(obj), geometry.sphere_radius
+        placed, geometry.family, obj.HeightRatio, _rule(obj), geometry.sphere_radius, tuning
     )
 
 

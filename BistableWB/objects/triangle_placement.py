@@ -55,19 +55,32 @@ class TrianglePlacement(BistableObject):
             obj.Shape = Part.makePolygon(corners)
 
 
-def place_along(obj):
-    """`Placement` of a TrianglePlacement object and the `CurveGeometry` it stands on."""
+def place_along(obj, extra=()):
+    """`Placement` of a TrianglePlacement object and the `CurveGeometry` it stands on.
+
+    ``extra`` is for thick panels: see `origami.placement.place`.
+    """
+    geometry = geometry_below(obj)
+    return place_on(obj, geometry, extra), geometry
+
+
+def geometry_below(obj):
+    """`CurveGeometry` of the Curve that a TrianglePlacement object stands on."""
     linked = require_link(obj, "Curve", curves.Curve.Type, "choose a Curve of this workbench")
-    geometry = curves.geometry_of(linked)
-    placed = place(
+    return curves.geometry_of(linked)
+
+
+def place_on(obj, geometry, extra=()):
+    """`Placement` by the parameters of a TrianglePlacement object along a `CurveGeometry`."""
+    return place(
         geometry.curve,
         obj.EdgeLength.Value,
         math.radians(obj.Gamma.Value),
         obj.Thickness.Value,
         geometry.legs,
         obj.FlipSide,
+        extra,
     )
-    return placed, geometry
 
 
 def _angle(degrees):

@@ -8,6 +8,7 @@ change is zero: those states are taken from the unit itself, exactly.
 
 import numpy as np
 
+from . import rigid
 from .creases import INDEX, PANELS, VERTICES
 from .unit import BARS, bar_lengths
 
@@ -39,21 +40,6 @@ def quad_frame(quad):
     frame[..., :3, 0], frame[..., :3, 1], frame[..., :3, 2] = x, y, np.cross(x, y)
     frame[..., :3, 3], frame[..., 3, 3] = origin, 1
     return frame
-
-
-def inverse(frames):
-    """Inverse of rigid transformations (…, 4, 4)."""
-    result = np.zeros_like(frames)
-    rotation = np.swapaxes(frames[..., :3, :3], -1, -2)
-    result[..., :3, :3] = rotation
-    result[..., :3, 3] = -(rotation @ frames[..., :3, 3:])[..., 0]
-    result[..., 3, 3] = 1
-    return result
-
-
-def moved(frames, points):
-    """Rigid transformations (…, 4, 4) applied to points (…, k, 3)."""
-    return points @ np.swapaxes(frames[..., :3, :3], -1, -2) + frames[..., None, :3, 3]
 
 
 def opening_state(unit, opening):
@@ -131,8 +117,8 @@ def _registered(unit):
     """Deployed vertices moved so that the left contact panel is the flat one, turned by −θ/2."""
     turned = unit.flat.copy()
     turned[..., _A_LEFT, :] = _turned(unit.flat, _A_LEFT, -_half_opening(unit))
-    motion = contact_frame(turned, "left") @ inverse(contact_frame(unit.deployed, "left"))
-    return moved(motion, unit.deployed)
+    motion = contact_frame(turned, "left") @ rigid.inverse(contact_frame(unit.deployed, "left"))
+    return rigid.apply(motion, unit.deployed)
 
 
 def _unit(vectors):

@@ -82,7 +82,7 @@ class Legs:
         return np.broadcast_to(bezier.normalised(self.vector), np.shape(points))
 
 
-def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False):
+def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False, extra=()):
     """Place isosceles triangles along ``curve`` (section 3.1; with thickness: ``hinges.md`` 5).
 
     Parameters
@@ -93,6 +93,8 @@ def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False):
     pitch : p = face thickness + gap between planes; 0 is the paper's rule.
     legs : None (along z), ("parallel", direction) or ("point", V).
     flip : start on the convex side of the curve instead of the concave one.
+    extra : what half the distance between the midpoints of unit k's two blocks exceeds the rule
+        by, per unit (its last value counts for all further units): see `thick_tube`.
 
     Returns a `Placement`. ValueError, with the place on the curve and the parameter to change, for
     a closed curve, an edge too long, a radius of curvature too small and a path that meets itself.
@@ -106,7 +108,9 @@ def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False):
     r = edge_length / 2
     parameters, midpoints, directions, sines = [0.0], [midpoint], [direction], []
     while True:
-        step = _next_block(table, parameters[-1], midpoint, r * direction + pitch * normal, pitch)
+        more = extra[min(len(sines), len(extra) - 1)] if len(extra) else 0.0
+        joint = r * direction + pitch * normal
+        step = _next_block(table, parameters[-1], midpoint, joint, pitch + more)
         if step is None:
             break
         parameter, point = step
@@ -174,16 +178,20 @@ def _forward_normal(direction, leg, forward):
     return normal if normal @ forward >= 0 else -normal
 
 
-def _next_block(table, start, midpoint, joint, pitch):
-    """Parameter and point of the next block's midpoint, or None at the end of the curve."""
+def _next_block(table, start, midpoint, joint, link):
+    """Parameter and point of the next block's midpoint, or None at the end of the curve.
+
+    ``joint`` = r e + p n leads from the midpoint to the axis at B, ``link`` is half the length of
+    the double hinge's link (the pitch).
+    """
 
     def growth(points):
         d = points - midpoint
         square = (d * d).sum(-1)
-        return square / 2 - pitch * np.sqrt(square) - d @ joint
+        return square / 2 - link * np.sqrt(square) - d @ joint
 
-    # |gradient| of growth within reach of the next block, plus what -p|d| can bulge on a chord.
-    slope = 4 * (np.linalg.norm(joint) + pitch)
+    # |gradient| of growth within reach of the next block, plus what the link's term can bulge on a chord.
+    slope = 4 * (np.linalg.norm(joint) + link)
     found = table.first_crossing(start, growth, slope)
     if found is None:
         return None

@@ -6,14 +6,15 @@ own left contact panel (y < 0) is therefore the incoming one where the joint lie
 the path, and the outgoing one where it lies on the left; `Placement.sides` tells.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
+from . import rigid
 from . import unit as units
 from .bezier import normalised
 from .creases import INDEX, PANELS
-from .deployment import contact_frame, inverse, moved, opening_state
+from .deployment import contact_frame, opening_state
 
 FAMILIES = ("Plane", "Sphere")
 
@@ -35,7 +36,7 @@ class Tube:
 
     def deployed(self):
         """Vertices (n, 10, 3) of all units in the deployed tube, exact."""
-        return moved(self.frames, self.unit.deployed)
+        return rigid.apply(self.frames, self.unit.deployed)
 
     def state(self, opening):
         """Vertices (n, 10, 3) of the tube opened to the fraction ``opening`` in [0, 1].
@@ -50,16 +51,16 @@ class Tube:
             return deployed
         own = opening_state(self.unit, opening)
         before, after = self._shared_frames(deployed)
-        joints = inverse(after[:-1]) @ before[1:]
+        joints = rigid.inverse(after[:-1]) @ before[1:]
         own_before, own_after = self._shared_frames(own)
-        steps = inverse(own_before) @ own_after
+        steps = rigid.inverse(own_before) @ own_after
         place = np.empty_like(self.frames)
         hang = before[0]
         for k in range(len(self)):
-            place[k] = hang @ inverse(own_before[k])
+            place[k] = hang @ rigid.inverse(own_before[k])
             if k < len(joints):
                 hang = hang @ steps[k] @ joints[k]
-        return moved(place, own)
+        return rigid.apply(place, own)
 
     def _shared_frames(self, points):
         """Frames (n, 4, 4) of the incoming and of the outgoing contact panel of every unit."""
@@ -84,14 +85,49 @@ def make_unit(family, theta, edge_length, height_ratio, rule, omega=None):
     return units.plane_unit(theta, rule.ratios(theta), edge_length, height)
 
 
-def along(placement, family, height_ratio, rule, sphere_radius=None):
-    """The `Tube` of a `Placement`; parameters as in `make_unit`, ``sphere_radius`` of the curve."""
-    edge_length = placement.edge_length
+@dataclass(frozen=True)
+class Tuning:
+    """Small changes of the units that thick panels ask for: see `thick_tube`.
+
+    ``extra`` (mm) is for `placement.place`; ``sines`` is added to sin(θ/2), ``cotangents`` to
+    cot ω of every unit: (n,), the last value counts for all further units.
+    """
+
+    extra: np.ndarray = field(default_factory=lambda: np.zeros(1))
+    sines: np.ndarray = field(default_factory=lambda: np.zeros(1))
+    cotangents: np.ndarray = field(default_factory=lambda: np.zeros(1))
+
+    def fitted(self, values, count):
+        """The first ``count`` values, the last one repeated."""
+        return np.concatenate([values, np.full(max(0, count - len(values)), values[-1])])[:count]
+
+
+def along(placement, family, height_ratio, rule, sphere_radius=None, tuning=None):
+    """The `Tube` of a `Placement`; parameters as in `make_unit`, ``sphere_radius`` of the curve.
+
+    ``tuning``: a `Tuning` for thick panels.
+    """
+    tuning = tuning or Tuning()
+    thetas, omega, count = placement.thetas, None, len(placement)
+    if tuning.sines.any():
+        thetas = 2 * np.arcsin(np.sin(thetas / 2) + tuning.fitted(tuning.sines, count))
     if family == "Sphere":
         _check_on_sphere(placement, sphere_radius)
-    omega = None if sphere_radius is None else float(np.arctan2(2 * sphere_radius, edge_length))
-    unit = make_unit(family, placement.thetas, edge_length, height_ratio, rule, omega)
+        cotangents = _leg_slopes(placement, sphere_radius)
+        omega = np.arctan2(1, cotangents + tuning.fitted(tuning.cotangents, count))
+    unit = make_unit(family, thetas, placement.edge_length, height_ratio, rule, omega)
     return Tube(unit, _frames(placement, unit), placement.sides < 0)
+
+
+def _leg_slopes(placement, sphere_radius):
+    """cot ω of every unit's contact trapezoids: (n,).
+
+    The leg at B lies where the unit's mid-plane meets the plane of its block: both pass V. Without
+    thickness that is tan ω = 2 r / ‖AB‖ for all; a pitch sets blocks further apart, which makes
+    the legs of a unit meet a little nearer.
+    """
+    apart = np.linalg.norm(np.diff(placement.midpoints, axis=0), axis=1)
+    return apart / (2 * sphere_radius * np.sin(placement.thetas / 2))
 
 
 def _check_on_sphere(placement, radius):
@@ -131,7 +167,7 @@ def _frames(placement, unit):
     frames[:, 3, 3] = 1
     # The base that follows the zigzag: half way up the strip (plane) or the outer one (sphere).
     base = unit.deployed[:, INDEX["B_upper"]].copy()
-    base[:, 2] = 0 if unit.omega == np.pi / 2 else base[:, 2]
+    base[:, 2] = 0 if unit.omega is None else base[:, 2]
     frames[:, :3, 3] = (joint + next_joint) / 2 - np.einsum("nij,nj->ni", frames[:, :3, :3], base)
     return frames
 

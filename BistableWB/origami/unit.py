@@ -15,7 +15,7 @@ from . import angles
 from .creases import INDEX, PANELS, VERTICES
 from .errors import require
 
-__all__ = ["BARS", "PANELS", "VERTICES", "Unit", "plane_unit", "sphere_unit"]
+__all__ = ["BARS", "PANELS", "VERTICES", "Unit", "general_unit", "plane_unit", "sphere_unit"]
 
 # Every panel edge and every diagonal of a quadrilateral, as index pairs, each once.
 BARS = np.array(
@@ -42,7 +42,7 @@ class Unit:
 
     ``flat``, ``deployed``: (…, 10, 3) in the unit of ``edge_length``; ``theta`` (radians),
     ``ratio``, ``alpha``, ``beta``, ``beta_prime``: scalars or arrays of the batch's shape;
-    ``omega`` is the base angle of the contact trapezoids (π/2 for a plane unit).
+    ``omega`` is the base angle of the contact trapezoids: None for a plane unit, else like theta.
     """
 
     flat: np.ndarray
@@ -54,7 +54,7 @@ class Unit:
     beta_prime: np.ndarray
     edge_length: float
     strip_height: float
-    omega: float = np.pi / 2
+    omega: np.ndarray | None = None
 
     def __len__(self):
         return self.flat.shape[0] if self.flat.ndim == 3 else 1
@@ -62,6 +62,8 @@ class Unit:
     def __getitem__(self, index):
         """One unit, or a smaller batch, of a batch."""
         names = ("flat", "deployed", "theta", "ratio", "alpha", "beta", "beta_prime")
+        if self.omega is not None:
+            names = (*names, "omega")
         return replace(self, **{name: getattr(self, name)[index] for name in names})
 
     def isometry_error(self):
@@ -103,7 +105,7 @@ def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
     """The spherical unit of section 4: legs meet at the sphere's centre V.
 
     ``theta`` radians, scalar or (n,); ``edge_length`` is the outer (upper) ‖AB‖; ``omega`` the base
-    angle of the contact trapezoid, radians; ``strip_height`` h the trapezoid's height.
+    angle of the contact trapezoid, radians, scalar or (n,); ``strip_height`` h its height.
     ``rule``: "exact" takes c = 1/(3 − 4 sin²(θ/2)), which closes to rounding; "paper" takes
     c = 1/2, whose border legs change length (`Unit.isometry_error`). The lower (inner) sub-unit is
     the upper one mirrored in its base plane and scaled about V by 1 − h/r.
@@ -111,6 +113,7 @@ def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
     """
     _check_lengths(edge_length, strip_height)
     theta = np.asarray(theta, float)
+    omega = np.broadcast_to(np.asarray(omega, float), theta.shape)
     angles.check_sphere_theta(theta)
     if rule not in ("exact", "paper"):
         raise ValueError(f"Ratio rule {rule!r} is unknown on a sphere: use 'exact' or 'paper'.")
@@ -125,7 +128,7 @@ def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
     found = angles.angles_for(theta, ratio)
     r = radius / edge_length
     shift = np.array([0, 0, strip_height / 2])
-    scale = 1 - strip_height / radius
+    scale = np.asarray(1 - strip_height / radius)[..., None, None]
     # The centre V, seen from the base plane: in the flat state below the middle of A-B; deployed,
     # below the centre of the circle through A_left, B, A_right (radius 1 / (2 cos t)).
     t = theta / 2
@@ -141,9 +144,7 @@ def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
         mirrored = upper * np.array([1, 1, -1.0])
         lower = centre[..., None, :] + scale * (mirrored - centre[..., None, :])
         states.append(_interleave(upper * edge_length + shift, lower * edge_length + shift))
-    return Unit(
-        *states, theta, ratio, *found, float(edge_length), float(strip_height), float(omega)
-    )
+    return Unit(*states, theta, ratio, *found, float(edge_length), float(strip_height), omega)
 
 
 def contact_radius(edge_length, omega):
@@ -205,3 +206,7 @@ def _check_lengths(edge_length, strip_height):
         require(
             np.isfinite(value) & (np.asarray(value) > 0), f"{name} is {{value:.6g}}: {cure}.", value
         )
+
+
+# Last: `general` imports this module only when it is called, so there is no cycle.
+from .general import general_unit  # noqa: E402

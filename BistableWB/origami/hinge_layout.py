@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the hinges and panels of one bistable unit lie in plan (``hinges.md`` 1 and 2)."""
+
+from . import plan
+from .creases import CREASES, LAYER_HEIGHT_IN_PITCHES, LINKS, PANELS, kind_of, layer_of
+from .hinge_plan import Hinge, finish, size_property
+
+
+def unit_layout(axes, parameters):
+    """`hinge_plan.Layout` of one unit.
+
+    ``axes``: (23, 2, 3), the ends of each hinge axis in the flat state in the order of `CREASES`
+    (plan = x, z), compensation included; ``parameters``: `HingeParameters`.
+    ValueError where a panel or a hinge has no room.
+    """
+    parameters.check()
+    hinges = _axes_of(axes, parameters)
+    cores = {name: _core(name, hinges, parameters) for name in PANELS}
+    heights = {
+        name: LAYER_HEIGHT_IN_PITCHES[layer_of(name)] * parameters.pitch for name in PANELS
+    }
+    return finish(hinges, cores, heights, LINKS, parameters)
+
+
+def _axes_of(axes, parameters):
+    ends = {}
+    for crease, ((x0, _, z0), (x1, _, z1)) in zip(CREASES, axes.tolist(), strict=True):
+        ends[crease.name] = complex(x0, z0), complex(x1, z1)
+    hinges = {}
+    for crease in CREASES:
+        a, b = ends[crease.name]
+        u = plan.unit(b - a)
+        low, corners = 0.0, [_plan_vertex(v) for v in crease.vertices]
+        if "C_" in crease.stretch[0] and "C_" not in crease.vertices[0]:
+            foot = ends[crease.name.replace("AB", "AC")][1]
+            low, corners[0] = plan.dot(foot - a, u), _plan_vertex(crease.stretch[0])
+        hinges[crease.name] = Hinge(
+            crease.name, a, u, crease.height * parameters.pitch, crease.bodies,
+            (low, abs(b - a)), tuple(corners),
+        )  # fmt: skip
+    return hinges
+
+
+def _plan_vertex(name):
+    return name.replace("_left", "").replace("_right", "")
+
+
+def _alias(panel, hinge):
+    """The hinge in line with A–B or A–C' whose barrels run along the same edge of the panel."""
+    pair = ("AB", "AC") if kind_of(panel) in ("contact", "primary") else ("AC", "AB")
+    return hinge.replace(*pair) if hinge.startswith(pair[0]) else None
+
+
+def _core(panel, hinges, parameters):
+    """Convex core of a panel and its edge tags: every edge cut back from the axes along it."""
+    own = [h for h in hinges.values() if panel in h.bodies]
+    ends = [h.point(s) for h in own for s in (0.0, h.stretch[1])]
+    middle = sum(ends) / len(ends)
+    lines = []
+    for hinge in own:
+        alias = _alias(panel, hinge.name)
+        for axis in [hinge, hinges[alias]] if alias else [hinge]:
+            normal = 1j * axis.direction
+            if plan.dot(middle - axis.origin, normal) < 0:
+                normal = -normal
+            lines.append((axis.origin + parameters.cut_back * normal, normal, hinge.name))
+    corners, tags = plan.half_planes(lines, ends, 10 * parameters.cut_back)
+    if not corners or not all(h.name in tags for h in own):
+        shortest = min(own, key=lambda h: h.stretch[1])
+        raise ValueError(
+            f"Panel {panel} is too small for its hinges: cut back by {parameters.cut_back:.3g} mm "
+            f"at every edge it has no edge left at hinge {shortest.name}; set "
+            f"{size_property(shortest, 2.0)}, or make FaceThickness smaller."
+        )
+    return corners, tags

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A bistable unit of thick panels: twelve panels and three links on twenty-three hinge axes.
+
+Folded flat, the panels lie in four layers and every axis between two of them (``hinges.md`` 1, 2;
+the table is `creases.CREASES`), so that away from the flat state thick panels close only where the
+axes are shifted for it. `ThickUnit` finds the poses of least misfit at a prescribed opening, and
+the smallest shifts with which the deployed state closes exactly (``hinges.md`` 3).
+
+Frame: the unit's flat frame, plan (x, z), stack along +y, left contact panel in layer 1; poses
+carry points of the flat state and keep the left contact panel where it is.
+"""
+
+from functools import cached_property
+
+import numpy as np
+
+from . import rigid
+from .closure import BODY, RIGHT, Closure, settle
+from .compensation import compensate, normals, shifted
+from .creases import BODIES, CREASES, INDEX, LINKS, PANELS
+from .errors import require
+
+__all__ = ["BODIES", "CREASES", "FURTHEST", "ThickUnit"]
+
+FURTHEST = 1.125  # the largest opening, in multiples of theta, that can be asked for
+STEPS = 24  # of the path between flat and deployed
+_DEPLOYED, _LAST = STEPS, round(FURTHEST * STEPS)
+# The two panels between which each link turns.
+_BESIDE = {
+    "link_upper": ("primary_left_upper", "primary_right_upper"),
+    "link_B": ("contact_left", "contact_right"),
+    "link_lower": ("primary_left_lower", "primary_right_lower"),
+}
+_ENDS = np.array([[INDEX[v] for v in c.vertices] for c in CREASES])
+_HEIGHTS = np.array([c.height for c in CREASES], float)
+
+
+class ThickUnit:
+    """One unit, or a batch of n, of thick panels; arrays of a batch have a leading n.
+
+    ``unit``: `unit.Unit` in mm; ``face_thickness`` t and ``gap_between_planes`` g in mm, both
+    above 0; ``shifts`` (23, 2) mm moves the start and the end of every axis across it in the flat
+    plane, along ``normals``. ValueError names the parameter, or the unit that has no solution.
+    """
+
+    def __init__(self, unit, face_thickness, gap_between_planes, shifts=None):
+        for name, value in (
+            ("FaceThickness", face_thickness),
+            ("GapBetweenPlanes", gap_between_planes),
+        ):
+            require(
+                np.isfinite(value) & (np.asarray(value) > 0),
+                f"{name} is {{value:.6g}} mm: set it to a length above 0.",
+                value,
+            )
+        self.unit = unit
+        self.face_thickness = float(face_thickness)
+        self.gap_between_planes = float(gap_between_planes)
+        self.pitch = self.face_thickness + self.gap_between_planes
+        self._single = unit.flat.ndim == 2
+        n = len(unit)
+        given = np.zeros((n, len(CREASES), 2)) if shifts is None else np.asarray(shifts, float)
+        self._shifts = given.reshape(n, len(CREASES), 2)
+        self._known = {}
+
+    def __len__(self):
+        return len(self.unit)
+
+    @property
+    def shifts(self):
+        """Shifts across the axes of their start and end, mm: (23, 2)."""
+        return self._out(self._shifts)
+
+    @property
+    def axes(self):
+        """Axis ends in the flat state, shifts included, mm: (23, 2, 3)."""
+        return self._out(shifted(self._nominal, self._shifts))
+
+    @property
+    def normals(self):
+        """Directions in the flat plane along which shifts count, +y × (end − start): (23, 3)."""
+        return self._out(normals(self._nominal))
+
+    @property
+    def opening(self):
+        """Angle between the contact panels about the leg at B when deployed, radians."""
+        return self._out(np.abs(self._closure.turn))
+
+    def poses(self, x):
+        """Rigid transforms from the flat state to opening ``x``, of least squared misfit.
+
+        ``x``: fraction of the opening angle, 0 flat, 1 deployed, up to `FURTHEST`; a number, or
+        (m,). Returns (15, 4, 4) or (m, 15, 4, 4) in the order of `BODIES`, lengths in mm; that of
+        contact_left is the identity, so a tube's next unit hangs on that of contact_right.
+        """
+        poses = self.states(np.ravel(x)[None])
+        poses[..., :3, 3] *= self.scale
+        return self._out(poses.reshape(len(self), *np.shape(x), *poses.shape[2:]))
+
+    def gaps(self, x):
+        """Misfit at the start and end of every hinge, mm: (23, 2) or (m, 23, 2)."""
+        fractions = np.ravel(x)[None]
+        poses = self.states(fractions)
+        gaps = self.closures(fractions).gaps(poses.reshape(-1, *poses.shape[2:])) * self.scale
+        return self._out(gaps.reshape(len(self), *np.shape(x), *gaps.shape[1:]))
+
+    def misfit(self, x):
+        """Distance of the two bodies' images of the worse axis end, mm: (23,) or (m, 23)."""
+        return self.gaps(x).max(-1)
+
+    def compensated(self):
+        """The same unit with the smallest shifts that close it when deployed (``hinges.md`` 3).
+
+        ValueError names the first unit for which there are none.
+        """
+        shifts, poses, converged = self._compensation
+        require(
+            converged,
+            "Hinges{at} cannot be shifted so that it closes when deployed: make FaceThickness and "
+            "GapBetweenPlanes smaller (their sum is {value:.4g} mm), EdgeLength longer than "
+            "{0:.4g} mm, or Ratio larger.",
+            np.broadcast_to(self.pitch, converged.shape), self.scale,
+        )
+        result = ThickUnit(
+            self.unit, self.face_thickness, self.gap_between_planes, shifts * self.scale
+        )
+        result._known[_DEPLOYED] = poses
+        return result
+
+    def contact_transform(self, x=1.0):
+        """Pose of the right contact panel seen from the left one, mm: (4, 4)."""
+        return self.poses(x)[..., RIGHT, :, :]
+
+    def block_lines(self, x=1.0, end="middle"):
+        """Lines A-B in the mid-planes of the two blocks that hold the contact panels.
+
+        A block joins layer 4 of one unit to layer 1 of the next, so its mid-plane lies two pitches
+        from the unit's middle. ``end``: "upper", "lower" or "middle" of the strip. Returns
+        (2 blocks, A and B, 3) mm in the left contact panel's frame.
+        """
+        ends = ("upper", "lower") if end == "middle" else (end,)
+        flat = self._flat
+        sides = (("left", -2), ("right", 2))
+        lines = np.stack(
+            [
+                np.stack(
+                    [
+                        np.mean([flat[:, INDEX[f"{corner}_{e}"]] for e in ends], 0)
+                        + [0, height * self.pitch, 0]
+                        for corner in (f"A_{side}", "B")
+                    ],
+                    1,
+                )
+                for side, height in sides
+            ],
+            1,
+        )
+        poses = self.poses(x)
+        poses = poses[None] if self._single else poses
+        return self._out(rigid.apply(poses[:, [0, RIGHT]], lines))
+
+    # -- for `snap`: always batched, lengths in edge lengths --------------------------------------
+
+    @property
+    def scale(self):
+        """Edge length ‖AB‖, mm."""
+        return self.unit.edge_length
+
+    def closures(self, fractions):
+        """Closures of all units at openings (n or 1, m): a batch of n·m, openings fastest."""
+        fractions = np.broadcast_to(fractions, (len(self), np.shape(fractions)[1]))
+        m, whole = fractions.shape[1], self._closure
+        axes, leg, turn = (np.repeat(a, m, 0) for a in (whole.axes, whole.leg, whole.turn))
+        return Closure(axes, leg, turn * fractions.ravel())
+
+    def states(self, fractions):
+        """Poses (n, m, 15, 4, 4) of least misfit at openings (n or 1, m)."""
+        fractions = np.asarray(fractions, float)
+        require(
+            ((fractions >= -1e-9) & (fractions <= FURTHEST + 1e-9)).ravel(),
+            "Deployment is {value:.6g}: it must lie between 0 (flat) and 1 (deployed), at most "
+            "{0:.4g}.",
+            fractions.ravel(), FURTHEST,
+        )
+        fractions = np.clip(fractions, 0, FURTHEST)
+        poses = np.empty((len(self), fractions.shape[1], len(BODIES), 4, 4))
+        flat, deployed = (fractions == 0).all(0), (fractions == 1).all(0)
+        poses[:, flat] = np.eye(4)
+        if deployed.any():
+            poses[:, deployed] = self._node(_DEPLOYED)[:, None]
+        rest = ~flat & ~deployed
+        if rest.any():
+            asked = np.broadcast_to(fractions[:, rest], (len(self), rest.sum()))
+            poses[:, rest] = self._settled(asked, self._near(asked))
+        return poses
+
+    # -- inside ------------------------------------------------------------------------------------
+
+    def _out(self, array):
+        return array[0] if self._single else array
+
+    @property
+    def _flat(self):
+        return self.unit.flat.reshape(-1, *self.unit.flat.shape[-2:])
+
+    @cached_property
+    def _nominal(self):
+        axes = self._flat[:, _ENDS].copy()
+        axes[..., 1] += _HEIGHTS[:, None] * self.pitch
+        return axes
+
+    @cached_property
+    def _guess(self):
+        """Poses of the panels without thickness, and of the links half way between two panels."""
+        flat = self._flat / self.scale
+        deployed = self.unit.deployed.reshape(flat.shape) / self.scale
+        corners = [[INDEX[v] for v in panel] for panel in PANELS.values()]
+        poses = [rigid.fit(flat[:, c], deployed[:, c]) for c in corners]
+        for link, (start, _) in LINKS.items():
+            a, b = (poses[BODY[panel]] for panel in _BESIDE[link])
+            turn = rigid.between(a, b, 0.5)[:, :3, :3]
+            i = INDEX[start]
+            poses.append(rigid.pose(turn, deployed[:, i] - (turn @ flat[:, i, :, None])[..., 0]))
+        poses = np.stack(poses, 1)
+        return rigid.inverse(poses[:, :1]) @ poses
+
+    @cached_property
+    def _closure(self):
+        leg = self._flat[:, INDEX["B_upper"]] - self._flat[:, INDEX["B_lower"]]
+        leg = leg / np.linalg.norm(leg, axis=-1, keepdims=True)
+        turn = rigid.twist_angle(self._guess[:, RIGHT, :3, :3], leg)
+        return Closure(shifted(self._nominal, self._shifts) / self.scale, leg, turn)
+
+    @cached_property
+    def _compensation(self):
+        nominal = Closure(self._nominal / self.scale, self._closure.leg, self._closure.turn)
+        return compensate(nominal, self._guess)
+
+    def _near(self, fractions):
+        """Poses at openings (n, m), interpolated from the nodes of the path."""
+        place = fractions * STEPS
+        below = np.minimum(place.astype(int), _LAST - 1)
+        first = below.min()
+        nodes = np.stack([self._node(k) for k in range(first, below.max() + 2)])
+        which = np.arange(len(self))[:, None]
+        start, end = nodes[below - first, which], nodes[below - first + 1, which]
+        return rigid.between(start, end, (place - below)[..., None])
+
+    def _node(self, k):
+        """Poses at opening k / STEPS, followed from the deployed state down and up."""
+        if k not in self._known:
+            if k == 0:
+                found = np.broadcast_to(np.eye(4), self._guess.shape)
+            elif k == _DEPLOYED:
+                found = self._settled([[1.0]], self._guess[:, None])[:, 0]
+            else:
+                back = 1 if k < _DEPLOYED else -1
+                guess = near = self._node(k + back)
+                if k + back != _DEPLOYED:
+                    guess = rigid.between(self._node(k + 2 * back), near, 2.0)
+                found = self._settled([[k / STEPS]], guess[:, None])[:, 0]
+            self._known[k] = found
+        return self._known[k]
+
+    def _settled(self, fractions, guesses):
+        """Poses (n, m, 15, 4, 4) of least misfit at openings (n or 1, m), from guesses.
+
+        Beyond the deployed state a unit may give way sideways, in so flat a valley that the steps
+        run out: then the best poses found will do.
+        """
+        flat = guesses.reshape(-1, *guesses.shape[2:])
+        poses, converged = settle(self.closures(fractions), flat)
+        converged = converged.reshape(guesses.shape[:2])
+        require(
+            converged | (np.asarray(fractions) > 1),
+            "Poses{at} cannot be found at {value:.0%} of its opening: make FaceThickness and "
+            "GapBetweenPlanes smaller (their sum is {0:.4g} mm), EdgeLength longer than {1:.4g} mm, "
+            "or Ratio larger.",
+            np.broadcast_to(fractions, converged.shape), self.pitch, self.scale,
+        )
+        return poses.reshape(guesses.shape)
