@@ -9,6 +9,8 @@ import Part
 
 from ..origami.bezier import Bezier
 from ..origami.crossing import CurveTable
+from ..origami.ruling import check_ruling, default_ruling
+from ..origami.tube import FAMILIES
 from .base import BistableObject, Prop, Result, global_placement, set_result
 from .edges import EdgeChain, edges_of
 
@@ -41,14 +43,25 @@ class Curve(BistableObject):
         Prop("LinkSub", "Source", "Curve", "Edge, wire, sketch or Draft curve to follow instead "
              "of Points"),
         Prop("Enumeration", "Kind", "Curve", "Plane: any plane in space. Sphere: on the sphere "
-             "of SphereRadius about SphereCenter", ["Plane", "Sphere"]),
+             "of SphereRadius about SphereCenter. General: any space curve, see Ruling",
+             list(FAMILIES)),
         Prop("Length", "SphereRadius", "Sphere", "Radius of the sphere that carries the curve",
              150.0),
         Prop("Vector", "SphereCenter", "Sphere", "Centre of the sphere; all legs of the strips "
              "point to it", App.Vector(0, 0, 0)),
+        Prop("Enumeration", "RulingKind", "General", "Automatic: the direction or viewpoint from "
+             "which the curve is seen most openly. Direction, Viewpoint: as given by Ruling",
+             ["Automatic", "Direction", "Viewpoint"]),
+        Prop("Vector", "Ruling", "General", "Direction of all legs of the strips, or the point "
+             "that they all pass (setting it turns Automatic off)", App.Vector(0, 0, 0)),
         Result("Length", "Length", "Results", "Length of the curve"),
         Result("Bool", "Closed", "Results", "The ends of the curve coincide (not allowed)"),
     )  # fmt: skip
+
+    def onChanged(self, obj, name):
+        """Whoever sets a ruling means it."""
+        if name == "Ruling" and self.ready(obj) and obj.RulingKind == "Automatic":
+            obj.RulingKind = "Direction"
 
     def generate(self, obj):
         """Shape of the curve and its length; ValueError for a curve that no tube can follow."""
@@ -79,6 +92,8 @@ def local_geometry(obj):
     curve = _own_curve(obj)
     if obj.Kind == "Sphere":
         return _on_sphere(obj, curve)
+    if obj.Kind == "General":
+        return CurveGeometry(curve, "General", _ruling(obj, curve))
     return CurveGeometry(curve, "Plane", ("parallel", _plane_normal(curve)))
 
 
@@ -89,6 +104,16 @@ def _own_curve(obj):
     chain = EdgeChain(edges, label)
     inverse = global_placement(obj).inverse()
     return chain if inverse.isIdentity() else Moved(chain, inverse)
+
+
+def _ruling(obj, curve):
+    """Legs for a curve of kind General, in the object's own frame."""
+    if obj.RulingKind == "Automatic":
+        return default_ruling(curve)
+    kind = "parallel" if obj.RulingKind == "Direction" else "point"
+    legs = kind, np.array(tuple(obj.Ruling))
+    check_ruling(curve, legs)
+    return legs
 
 
 def _plane_normal(curve):
@@ -186,17 +211,17 @@ class Moved:
 def _placed(geometry, placement):
     moved = Moved(geometry.curve, placement)
     kind, vector = geometry.legs
-    vector = moved.rotation @ vector + (moved.shift if kind == "point" else 0)
+    vector = moved.rotation @ np.asarray(vector) + (moved.shift if kind == "point" else 0)
     return CurveGeometry(moved, geometry.family, (kind, vector), geometry.sphere_radius)
 
 
 def _display_shape(obj, geometry):
     """Edge that shows the curve: the Bézier itself, or a fine interpolation of it."""
-    if obj.Source is not None and obj.Kind == "Plane":
+    if obj.Source is not None and obj.Kind != "Sphere":
         edges, _ = edges_of(obj.Source)
         back = global_placement(obj).inverse().toMatrix()
         return Part.Wire(Part.__sortEdges__([e.transformGeometry(back) for e in edges]))
-    if obj.Source is None and obj.Kind == "Plane" and len(obj.Points) <= _MAX_OCC_DEGREE + 1:
+    if obj.Source is None and obj.Kind != "Sphere" and len(obj.Points) <= _MAX_OCC_DEGREE + 1:
         bezier = Part.BezierCurve()
         bezier.setPoles(list(obj.Points))
         return bezier.toShape()

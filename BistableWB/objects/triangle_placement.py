@@ -26,6 +26,8 @@ class TrianglePlacement(BistableObject):
              "between planes) to allow for; 0 is the paper's zero-thickness rule", 0.0),
         Prop("Bool", "FlipSide", "Placement", "Start with the unit on the other side of the "
              "curve", False),
+        Prop("Bool", "Level", "Placement", "For curves of kind General with a direction as Ruling: "
+             "keep the segments from tilting along the way (long helices)", False),
         Result("Integer", "Count", "Results", "Number of units"),
         Result("FloatList", "Thetas", "Results", "Opening angle of every unit, degrees"),
         Result("Angle", "ThetaMin", "Results", "Smallest opening angle"),
@@ -80,6 +82,7 @@ def place_on(obj, geometry, extra=()):
         geometry.legs,
         obj.FlipSide,
         extra,
+        obj.Level,
     )
 
 

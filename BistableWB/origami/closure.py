@@ -78,9 +78,7 @@ class Closure:
         """The poses with the right contact panel turned to exactly the prescribed angle."""
         poses = poses.copy()
         turn = poses[:, RIGHT, :3, :3]
-        excess = rigid.twist_angle(
-            turn @ rigid.rotation(-self.turn[:, None] * self.leg), self.leg
-        )
+        excess = rigid.twist_angle(turn @ rigid.rotation(-self.turn[:, None] * self.leg), self.leg)
         poses[:, RIGHT, :3, :3] = turn @ rigid.rotation(-excess[:, None] * self.leg)
         return poses
 
@@ -192,7 +190,7 @@ def _settle(closure, poses, tolerance, rounds):
         good = better & ((gained > 0.75 * gain) | (size < _CLOSE))
         factor = np.select([good, gained > 0.25 * gain, better], [0.1, 1, 5], 20)
         damping[active] = np.clip(damping[active] * factor, 1e-12, 1e3)
-        uphill[active] |= ~better
+        uphill[active] = ~better | (uphill[active] & ~good)
         active = active[~(better & (size < tolerance))]
         if not len(active):
             break
@@ -202,8 +200,10 @@ def _settle(closure, poses, tolerance, rounds):
 
 
 def _newton(matrix, gradient, damping, uphill):
-    """Newton steps and what they should take off the cost; where one led ``uphill``, negative
-    curvatures count as positive: next to a fold of the path the unit jumps to another branch.
+    """Newton steps (n, 83) and what they should take off the cost (n,).
+
+    Where a step led ``uphill``, negative curvatures count as positive: next to a fold of the path,
+    where the unit jumps to another branch.
     """
     step = np.empty_like(gradient)
     plain = ~uphill

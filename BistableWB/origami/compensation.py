@@ -15,6 +15,7 @@ from .closure import BODY, FIRST, KEPT, SECOND, Closure
 from .creases import BODIES, CREASES
 
 _FLOOR, _CEILING = 1e-6, 1e-2  # bounds of the regularisation, edge lengths
+_LONGEST = 0.2  # step of a pose, radians or edge lengths
 
 
 def _columns(bodies):
@@ -40,7 +41,7 @@ REST = (
 
 
 def normals(axes):
-    """Unit vectors in the flat plane across the axes, +y × direction: (n, 23, 2, 3) → (n, 23, 3)."""
+    """Unit vectors across the axes in the flat plane, +y × (end − start): (n, 23, 3)."""
     along = axes[:, :, 1] - axes[:, :, 0]
     across = np.cross([0.0, 1.0, 0.0], along)
     return across / np.linalg.norm(across, axis=-1, keepdims=True)
@@ -104,8 +105,8 @@ def _step(closure, poses, shifts, across):
     known = np.concatenate([rest, known], 1)
     for (_, columns), (r, turned) in zip(HALVES, halves, strict=True):
         step[:, columns] = -np.linalg.solve(r, turned @ known)[..., 0]
-    largest = np.abs(step).max(-1, keepdims=True)
-    return step * np.minimum(1, 0.2 / np.maximum(largest, 1e-300)), found.reshape(shifts.shape) - shifts
+    step *= np.minimum(1, _LONGEST / np.maximum(np.abs(step).max(-1, keepdims=True), 1e-300))
+    return step, found.reshape(shifts.shape) - shifts
 
 
 def _least_norm(system, residual):

@@ -63,7 +63,7 @@ def vertex(kind, parameters, length_x=50.0, length_y=32.0):
     for name, angle, height, bodies in table:
         u = complex(cos(angle), sin(angle))
         length = min(
-            plan.dot(origin - centre, normal) / plan.dot(u, normal)
+            plan.dot(origin + parameters.radius * normal - centre, normal) / plan.dot(u, normal)
             for origin, normal, _ in box
             if plan.dot(u, normal) < -1e-9
         )

@@ -73,6 +73,15 @@ def general_unit(contact_left, contact_right, ratio):
     return _as_unit(deployed, flat, theta, origin, scale, single)
 
 
+def openings(contact_left, contact_right):
+    """Opening θ (n,) of units between contacts (n, 4, 3), to choose their ratios by: radians."""
+    quads, _, _ = normalised_contacts(contact_left, contact_right)
+    level, _, _ = _bases(quads, _unfolded(quads))
+    theta = level["upper"].theta
+    check_opening(theta)
+    return theta
+
+
 def _symmetric_start(quads, ratio):
     """θ (n,), deployed (n, 10, 3) and flat (n, 10, 2) vertices of the unit to start from.
 

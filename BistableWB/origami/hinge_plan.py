@@ -123,7 +123,7 @@ def finish(hinges, cores, heights, links, parameters):
     for name, hinge in hinges.items():
         span = free_span(hinge, cores, starts[name], parameters)
         hinges[name] = segmented(hinge, span, parameters, notes)
-    made = {name: make_link(name, hinges, cores) for name in links}
+    made = {name: make_link(name, hinges, cores, parameters, notes) for name in links}
     for link in made.values():
         hinges |= {hinge.name: hinge for hinge in link.hinges}
     plates = {}
@@ -188,25 +188,31 @@ def segmented(hinge, span, parameters, notes):
     ``notes`` takes a sentence where that is fewer than Segmentations; ValueError below three.
     """
     length = span[1] - span[0]
-    if parameters.hinge_type == FLEXIBLE and length > 4 * parameters.strip_thickness:
+    if parameters.hinge_type == FLEXIBLE:
+        _check_room(hinge, length, 6 * parameters.strip_thickness, "a strip with fingers needs")
         return replace(hinge, segments=(span,))
-    count = segments_for(length, parameters)
     least, gap = parameters.shortest_segment, parameters.gap_length
-    if count < MINIMUM_SEGMENTS:
-        need = MINIMUM_SEGMENTS * (least + gap) - gap
-        whole = hinge.stretch[1] - hinge.stretch[0]
-        left = f"only {length:.3g} mm are" if length > 0 else "no length is"
-        raise ValueError(
-            f"Hinge {hinge.name}: {left} left for knuckles between its vertices and three segments "
-            f"need {need:.3g} mm; set {size_property(hinge, 1.02 * (whole + need - length) / whole)}"
-            ", or make GapLength or FaceThickness smaller."
-        )
+    need = MINIMUM_SEGMENTS * (least + gap) - gap
+    _check_room(hinge, length, need, "three segments need")
+    count = segments_for(length, parameters)
     if count < parameters.segmentations:
         kind = hinge.name.replace("_left", "").replace("_right", "")
         notes.append(
             f"Hinge {kind} has room for {count} segments instead of {parameters.segmentations}."
         )
     return make_segments(hinge, span, count, parameters)
+
+
+def _check_room(hinge, length, need, what):
+    if length >= need:
+        return
+    whole = hinge.stretch[1] - hinge.stretch[0]
+    left = f"only {length:.3g} mm are" if length > 0 else "no length is"
+    raise ValueError(
+        f"Hinge {hinge.name}: {left} left between its vertices and {what} {need:.3g} mm; set "
+        f"{size_property(hinge, 1.02 * (whole + need - length) / whole)}, or make GapLength or "
+        "FaceThickness smaller."
+    )
 
 
 def size_property(hinge, factor):
@@ -227,23 +233,24 @@ def make_segments(hinge, span, count, parameters):
     return replace(hinge, segments=segments, cone_height=cone_height_for(each, parameters))
 
 
-def make_link(name, hinges, cores):
-    """Link of a double hinge: both axes get the same segments, measured on their mean line."""
+def make_link(name, hinges, cores, parameters, notes):
+    """Link of a double hinge: both axes get the same segments, laid out on their mean line."""
     pair = sorted((h for h in hinges.values() if name in h.bodies), key=lambda h: h.height)
     origin = (pair[0].origin + pair[1].origin) / 2
     direction = plan.unit(pair[0].direction + pair[1].direction)
-    shorter = min(pair, key=lambda h: (len(h.segments), h.segments[-1][1] - h.segments[0][0]))
+    # Along the mean line: offset + slope * (along the hinge's own axis).
+    offsets = [plan.dot(h.origin - origin, direction) for h in pair]
+    slopes = [plan.dot(h.direction, direction) for h in pair]
+    spans = [
+        [o + k * s for s in (h.segments[0][0], h.segments[-1][1])]
+        for h, o, k in zip(pair, offsets, slopes, strict=True)
+    ]
+    common = max(low for low, _ in spans), min(high for _, high in spans)
+    mean = segmented(replace(pair[0], origin=origin, direction=direction), common, parameters, notes)
     matched = []
-    for hinge in pair:
-        slope = plan.dot(hinge.direction, direction)
-        offset = plan.dot(hinge.origin - origin, direction)
-        own = plan.dot(shorter.origin - origin, direction)
-        scale = plan.dot(shorter.direction, direction)
-        segments = tuple(
-            tuple((own + scale * s - offset) / slope for s in segment)
-            for segment in shorter.segments
-        )
-        matched.append(replace(hinge, segments=segments, cone_height=shorter.cone_height))
+    for hinge, offset, slope in zip(pair, offsets, slopes, strict=True):
+        segments = tuple(tuple((s - offset) / slope for s in ends) for ends in mean.segments)
+        matched.append(replace(hinge, segments=segments, cone_height=mean.cone_height))
     panel = cores[pair[0].bodies[0]][0]
     outward = 1j * direction
     if plan.dot(sum(panel) / len(panel) - origin, outward) > 0:

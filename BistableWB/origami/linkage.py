@@ -25,6 +25,14 @@ __all__ = ["BODIES", "CREASES", "FURTHEST", "ThickUnit"]
 FURTHEST = 1.125  # the largest opening, in multiples of theta, that can be asked for
 STEPS = 24  # of the path between flat and deployed
 _DEPLOYED, _LAST = STEPS, round(FURTHEST * STEPS)
+# Change of a pose between two nodes that no body makes by turning steadily.
+_JUMP = 0.25
+# At the first node no body has turned by more than some degrees, in radians.
+_NEARLY_FLAT = 0.5
+_CURE = (
+    "make FaceThickness and GapBetweenPlanes smaller (their sum is {0:.4g} mm), EdgeLength longer "
+    "than {1:.4g} mm, or Ratio larger."
+)
 # The two panels between which each link turns.
 _BESIDE = {
     "link_upper": ("primary_left_upper", "primary_right_upper"),
@@ -116,10 +124,10 @@ class ThickUnit:
         shifts, poses, converged = self._compensation
         require(
             converged,
-            "Hinges{at} cannot be shifted so that it closes when deployed: make FaceThickness and "
-            "GapBetweenPlanes smaller (their sum is {value:.4g} mm), EdgeLength longer than "
-            "{0:.4g} mm, or Ratio larger.",
-            np.broadcast_to(self.pitch, converged.shape), self.scale,
+            "Hinges{at} cannot be shifted so that the unit closes when deployed: " + _CURE,
+            None,
+            self.pitch,
+            self.scale,
         )
         result = ThickUnit(
             self.unit, self.face_thickness, self.gap_between_planes, shifts * self.scale
@@ -140,21 +148,14 @@ class ThickUnit:
         """
         ends = ("upper", "lower") if end == "middle" else (end,)
         flat = self._flat
-        sides = (("left", -2), ("right", 2))
         lines = np.stack(
             [
-                np.stack(
-                    [
-                        np.mean([flat[:, INDEX[f"{corner}_{e}"]] for e in ends], 0)
-                        + [0, height * self.pitch, 0]
-                        for corner in (f"A_{side}", "B")
-                    ],
-                    1,
-                )
-                for side, height in sides
+                np.mean([flat[:, [INDEX[f"A_{side}_{e}"], INDEX[f"B_{e}"]]] for e in ends], 0)
+                for side in ("left", "right")
             ],
             1,
         )
+        lines[..., 1] += np.array([[-2], [2]]) * self.pitch
         poses = self.poses(x)
         poses = poses[None] if self._single else poses
         return self._out(rigid.apply(poses[:, [0, RIGHT]], lines))
@@ -180,7 +181,8 @@ class ThickUnit:
             ((fractions >= -1e-9) & (fractions <= FURTHEST + 1e-9)).ravel(),
             "Deployment is {value:.6g}: it must lie between 0 (flat) and 1 (deployed), at most "
             "{0:.4g}.",
-            fractions.ravel(), FURTHEST,
+            fractions.ravel(),
+            FURTHEST,
         )
         fractions = np.clip(fractions, 0, FURTHEST)
         poses = np.empty((len(self), fractions.shape[1], len(BODIES), 4, 4))
@@ -229,6 +231,11 @@ class ThickUnit:
         leg = self._flat[:, INDEX["B_upper"]] - self._flat[:, INDEX["B_lower"]]
         leg = leg / np.linalg.norm(leg, axis=-1, keepdims=True)
         turn = rigid.twist_angle(self._guess[:, RIGHT, :3, :3], leg)
+        require(
+            turn < 0,
+            "Panels{at} would open inside out, through one another: swap its left and right "
+            "contact panels.",
+        )
         return Closure(shifted(self._nominal, self._shifts) / self.scale, leg, turn)
 
     @cached_property
@@ -237,17 +244,21 @@ class ThickUnit:
         return compensate(nominal, self._guess)
 
     def _near(self, fractions):
-        """Poses at openings (n, m), interpolated from the nodes of the path."""
+        """Poses at openings (n, m), interpolated from the nodes of the path.
+
+        Where the unit jumps between two nodes, those of the one nearer to the deployed state.
+        """
         place = fractions * STEPS
         below = np.minimum(place.astype(int), _LAST - 1)
         first = below.min()
         nodes = np.stack([self._node(k) for k in range(first, below.max() + 2)])
         which = np.arange(len(self))[:, None]
         start, end = nodes[below - first, which], nodes[below - first + 1, which]
-        return rigid.between(start, end, (place - below)[..., None])
+        share = np.where(_jumps(start, end), below < _DEPLOYED, place - below)
+        return rigid.between(start, end, share[..., None])
 
     def _node(self, k):
-        """Poses at opening k / STEPS, followed from the deployed state down and up."""
+        """Poses (n, 15, 4, 4) at opening k / STEPS, followed from the deployed state."""
         if k not in self._known:
             if k == 0:
                 found = np.broadcast_to(np.eye(4), self._guess.shape)
@@ -257,10 +268,24 @@ class ThickUnit:
                 back = 1 if k < _DEPLOYED else -1
                 guess = near = self._node(k + back)
                 if k + back != _DEPLOYED:
-                    guess = rigid.between(self._node(k + 2 * back), near, 2.0)
+                    far = self._node(k + 2 * back)
+                    guess = rigid.between(far, near, np.where(_jumps(far, near), 1.0, 2.0)[:, None])
                 found = self._settled([[k / STEPS]], guess[:, None])[:, 0]
+            if k == 1:
+                self._check_flat(found)
             self._known[k] = found
         return self._known[k]
+
+    def _check_flat(self, poses):
+        turns = np.linalg.norm(rigid.rotation_vector(poses[..., :3, :3]), axis=-1).max(-1)
+        require(
+            turns < _NEARLY_FLAT,
+            "The deployed state{at} does not fold flat: its panels are too thick and lock on the "
+            "way; " + _CURE,
+            None,
+            self.pitch,
+            self.scale,
+        )
 
     def _settled(self, fractions, guesses):
         """Poses (n, m, 15, 4, 4) of least misfit at openings (n or 1, m), from guesses.
@@ -273,9 +298,14 @@ class ThickUnit:
         converged = converged.reshape(guesses.shape[:2])
         require(
             converged | (np.asarray(fractions) > 1),
-            "Poses{at} cannot be found at {value:.0%} of its opening: make FaceThickness and "
-            "GapBetweenPlanes smaller (their sum is {0:.4g} mm), EdgeLength longer than {1:.4g} mm, "
-            "or Ratio larger.",
-            np.broadcast_to(fractions, converged.shape), self.pitch, self.scale,
+            "Poses{at} cannot be found at {value:.0%} of its opening: " + _CURE,
+            fractions,
+            self.pitch,
+            self.scale,
         )
         return poses.reshape(guesses.shape)
+
+
+def _jumps(poses, others):
+    """Which of the states (…, 15, 4, 4) lie on different branches of the path."""
+    return np.abs(poses - others).max((-3, -2, -1)) > _JUMP

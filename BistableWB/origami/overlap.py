@@ -3,6 +3,8 @@
 
 import numpy as np
 
+# A tube is about h + 0.5 ‖AB‖ high; h is ‖AB‖ / 2.5 by default.
+CLEARANCE = 1.2
 _SHRINK = 1e-6
 _ROWS = 256
 
@@ -12,13 +14,17 @@ def first_overlap(segments, legs):
 
     ``segments`` (n + 1, 2, 3): ends of the contact segments; unit i lies between segments i and
     i + 1 with its joint at the second end of segment i. ``legs``: a `placement.Legs`. Along
-    parallel legs, units more than two edge lengths apart in height pass over each other.
+    parallel legs, units further apart in height than `CLEARANCE` edge lengths pass over each other.
     """
     start, joint = segments[:-1, 0], segments[:-1, 1]
     triangles = np.stack([start, joint, segments[1:, 1]], 1)
     centres = triangles.mean(1)
     reach = np.linalg.norm(triangles - centres[:, None], axis=-1).max()
     pairs = _close_pairs(centres, 2 * reach)
+    if not legs.central:
+        height = centres @ legs.at(centres[0])
+        edge = np.linalg.norm(joint[0] - start[0])
+        pairs = pairs[np.abs(np.diff(height[pairs], axis=1)[:, 0]) < CLEARANCE * edge]
     if not len(pairs):
         return None
     first, second = triangles[pairs[:, 0]], triangles[pairs[:, 1]]

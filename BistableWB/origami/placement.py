@@ -29,17 +29,17 @@ class Placement:
 
     ``points`` (n + 2, 3): the zigzag A_0, B_0, B_1 … (for pitch 0 consecutive segments share a
     point); ``midpoints`` (n + 1, 3) on the curve at ``parameters`` (n + 1,); ``thetas`` (n,)
-    radians; ``directions`` (n + 1, 3) unit vectors e_k; ``legs`` (n + 1, 3) unit vectors along the
+    radians; ``reaches`` (n + 1, 3): r e_k, from the midpoint to the joint; ``legs`` (n + 1, 3) unit vectors along the
     strip's legs ("upper") at the midpoints; ``sides`` (n,): +1 where the joint B of the unit lies
-    left of the path seen from upper, −1 on the right; ``length`` of the curve, ``followed`` of it; ``centre``: V of
-    concurrent legs, else None.
+    left of the path seen from upper, −1 on the right; ``length`` of the curve, ``followed`` of it;
+    ``centre``: V of concurrent legs, else None.
     """
 
     points: np.ndarray
     midpoints: np.ndarray
     parameters: np.ndarray
     thetas: np.ndarray
-    directions: np.ndarray
+    reaches: np.ndarray
     legs: np.ndarray
     sides: np.ndarray
     edge_length: float
@@ -54,8 +54,7 @@ class Placement:
     @property
     def segments(self):
         """Ends of the contact segments' mid-lines, start and joint: (n + 1, 2, 3)."""
-        reach = self.edge_length / 2 * self.directions
-        return np.stack([self.midpoints - reach, self.midpoints + reach], 1)
+        return np.stack([self.midpoints - self.reaches, self.midpoints + self.reaches], 1)
 
     @property
     def distances_from_centre(self):
@@ -82,7 +81,7 @@ class Legs:
         return np.broadcast_to(bezier.normalised(self.vector), np.shape(points))
 
 
-def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False, extra=()):
+def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False, extra=(), level=False):
     """Place isosceles triangles along ``curve`` (section 3.1; with thickness: ``hinges.md`` 5).
 
     Parameters
@@ -95,6 +94,10 @@ def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False, extra=())
     flip : start on the convex side of the curve instead of the concave one.
     extra : what half the distance between the midpoints of unit k's two blocks exceeds the rule
         by, per unit (its last value counts for all further units): see `thick_tube`.
+    level : for space curves with parallel legs: follow the rule in the view along the legs and lift
+        the result onto the curve. Segments then stay as level as the curve is steep, where the
+        rule in space lets them tilt more and more (a helix). Segments are then a little longer than
+        ‖AB‖, and their midpoints a little above or below the curve.
 
     Returns a `Placement`. ValueError, with the place on the curve and the parameter to change, for
     a closed curve, an edge too long, a radius of curvature too small and a path that meets itself.
@@ -104,36 +107,88 @@ def place(curve, edge_length, gamma, pitch=0.0, legs=None, flip=False, extra=())
     table = CurveTable(curve, edge_length)
     _check_open(table, edge_length)
     legs = Legs(legs)
-    midpoint, direction, normal = _start(curve, legs, gamma, flip)
-    r = edge_length / 2
-    parameters, midpoints, directions, sines = [0.0], [midpoint], [direction], []
-    while True:
-        more = extra[min(len(sines), len(extra) - 1)] if len(extra) else 0.0
-        joint = r * direction + pitch * normal
-        step = _next_block(table, parameters[-1], midpoint, joint, pitch + more)
-        if step is None:
-            break
-        parameter, point = step
-        y = bezier.normalised(point - midpoint)
-        sine, cosine = float(direction @ y), float(normal @ y)
-        if cosine <= 0 or sine <= 0 or sine >= 1:
-            _too_tight(table, parameters[-1], parameter, edge_length)
-        sines.append(sine)
-        direction = bezier.normalised(2 * sine * y - direction)
-        normal = _forward_normal(direction, legs.at(point), 2 * cosine * y - normal)
-        midpoint = point
-        parameters.append(parameter)
-        midpoints.append(point)
-        directions.append(direction)
-    if not sines:
+    if level:
+        seen = CurveTable(SeenAlong(curve, legs), edge_length)
+        blocks = _march(seen, legs, edge_length, gamma, pitch, flip, extra)
+        lifted = seen.curve.lifted(blocks)
+    else:
+        blocks = lifted = _march(table, legs, edge_length, gamma, pitch, flip, extra)
+    if not blocks.sines:
         raise ValueError(
             f"EdgeLength ‖AB‖ = {edge_length:.6g} mm is too long for this curve of length "
             f"{table.lengths[-1]:.6g} mm: not even one unit fits; make EdgeLength shorter, the "
             "curve longer, or Gamma smaller."
         )
-    placed = _result(table, legs, edge_length, pitch, parameters, midpoints, directions, sines)
+    placed = _result(table, legs, edge_length, pitch, lifted)
     _check_overlap(placed, table, legs)
     return placed
+
+
+@dataclass
+class _Blocks:
+    """Blocks found so far: parameters, midpoints, half mid-lines r e, and sin t of the units."""
+
+    parameters: list
+    midpoints: list
+    reaches: list
+    sines: list
+
+
+def _march(table, legs, edge_length, gamma, pitch, flip, extra):
+    """All blocks along a tabulated curve, from its start to the last crossing."""
+    midpoint, direction, normal = _start(table.curve, legs, gamma, flip)
+    r = edge_length / 2
+    blocks = _Blocks([0.0], [midpoint], [r * direction], [])
+    while True:
+        count = len(blocks.sines)
+        more = extra[min(count, len(extra) - 1)] if len(extra) else 0.0
+        joint = r * direction + pitch * normal
+        step = _next_block(table, blocks.parameters[-1], midpoint, joint, pitch + more)
+        if step is None:
+            return blocks
+        parameter, point = step
+        y = bezier.normalised(point - midpoint)
+        sine, cosine = float(direction @ y), float(normal @ y)
+        if cosine <= 0 or sine <= 0 or sine >= 1:
+            _too_tight(table, blocks.parameters[-1], parameter, edge_length)
+        direction = bezier.normalised(2 * sine * y - direction)
+        normal = _forward_normal(direction, legs.at(point), 2 * cosine * y - normal)
+        midpoint = point
+        blocks.sines.append(sine)
+        blocks.parameters.append(parameter)
+        blocks.midpoints.append(point)
+        blocks.reaches.append(r * direction)
+
+
+class SeenAlong:
+    """A curve as it is seen along parallel legs: projected onto the plane across them."""
+
+    def __init__(self, curve, legs):
+        if legs.central:
+            raise ValueError("Level: legs through a viewpoint have no level; switch Level off.")
+        self.curve, self.axis = curve, legs.at(np.zeros(3))
+        for name in ("bend", "breaks"):
+            if hasattr(curve, name):
+                setattr(self, name, getattr(curve, name))
+
+    def point(self, s):
+        points = self.curve.point(s)
+        return points - (points @ self.axis)[..., None] * self.axis
+
+    def lifted(self, blocks):
+        """Blocks moved along the legs up to the curve.
+
+        Every joint gets the mean height of the curve at its two midpoints. (Midpoints exactly on
+        the curve would make each joint's height depend on all before it, and tilt more and more.)
+        """
+        points = np.asarray(self.curve.point(np.array(blocks.parameters)), float)
+        heights = points @ self.axis
+        joints = (heights[:-1] + heights[1:]) / 2
+        ends = np.concatenate([2 * heights[:1] - joints[:1], joints, 2 * heights[-1:] - joints[-1:]])
+        off = (ends[:-1] + ends[1:]) / 2 - heights
+        reaches = np.array(blocks.reaches) + (np.diff(ends) / 2)[:, None] * self.axis
+        midpoints = points + off[:, None] * self.axis
+        return _Blocks(blocks.parameters, list(midpoints), list(reaches), blocks.sines)
 
 
 def _start(curve, legs, gamma, flip):
@@ -190,7 +245,7 @@ def _next_block(table, start, midpoint, joint, link):
         square = (d * d).sum(-1)
         return square / 2 - link * np.sqrt(square) - d @ joint
 
-    # |gradient| of growth within reach of the next block, plus what the link's term can bulge on a chord.
+    # |gradient| of growth within reach, plus what the link's term can bulge on a chord
     slope = 4 * (np.linalg.norm(joint) + link)
     found = table.first_crossing(start, growth, slope)
     if found is None:
@@ -198,25 +253,24 @@ def _next_block(table, start, midpoint, joint, link):
     return found, np.asarray(table.curve.point(np.array([found])), float)[0]
 
 
-def _result(table, legs, edge_length, pitch, parameters, midpoints, directions, sines):
-    midpoints, directions = np.array(midpoints), np.array(directions)
-    reach = edge_length / 2 * directions
+def _result(table, legs, edge_length, pitch, blocks):
+    midpoints, reach = np.array(blocks.midpoints), np.array(blocks.reaches)
     points = np.concatenate([midpoints[:1] - reach[:1], midpoints + reach])
     travel = np.diff(midpoints, axis=0)
     rulings = legs.at(midpoints)
-    left = (np.cross(rulings[:-1], travel) * directions[:-1]).sum(1)
+    left = (np.cross(rulings[:-1], travel) * reach[:-1]).sum(1)
     return Placement(
         points=points,
         midpoints=midpoints,
-        parameters=np.array(parameters),
-        thetas=2 * np.arcsin(np.array(sines)),
-        directions=directions,
+        parameters=np.array(blocks.parameters),
+        thetas=2 * np.arcsin(np.array(blocks.sines)),
+        reaches=reach,
         legs=rulings,
         sides=np.where(left >= 0, 1, -1),
         edge_length=float(edge_length),
         pitch=float(pitch),
         length=float(table.lengths[-1]),
-        followed=float(table.length_at(parameters[-1])),
+        followed=float(table.length_at(blocks.parameters[-1])),
         centre=legs.vector if legs.central else None,
     )
 

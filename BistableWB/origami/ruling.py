@@ -12,6 +12,7 @@ import numpy as np
 
 from .bezier import normalised
 from .crossing import CurveTable
+from .overlap import CLEARANCE
 from .placement import Legs
 
 LEAST_OPENNESS = np.radians(10)
@@ -32,7 +33,7 @@ def default_ruling(curve, edge_length=None):
     every direction by 5°. Directions point up (+z, or +y, or +x).
 
     ``curve``: object with ``point(s)``; ``edge_length`` ‖AB‖ in the curve's unit of length lets
-    parts of the curve pass over each other 2 ‖AB‖ apart along the legs; without it only parts that
+    parts of the curve pass over each other `CLEARANCE` ‖AB‖ apart along the legs; without it only parts that
     meet in space count as overlapping. ValueError, with the place, where no candidate will do.
     """
     view = _View(curve, edge_length)
@@ -93,7 +94,7 @@ class _View:
         self.places = (table.points[1:] + table.points[:-1]) / 2
         self.length = length
         self.width = 2 * length / count
-        self.clearance = 2 * edge_length if edge_length else 1e-3 * length
+        self.clearance = CLEARANCE * edge_length if edge_length else 1e-3 * length
         self.least_distance = edge_length or 1e-3 * length
 
     def angles(self, legs):

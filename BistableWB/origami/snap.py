@@ -20,6 +20,7 @@ __all__ = ["PLA_STRAIN", "Snap", "assess", "barrier", "energy_path", "needed_pla
 
 PLA_STRAIN = 0.02  # what PLA bears
 _NODES = np.arange(STEPS + 1) / STEPS
+_AROUND = np.array([-0.67, -0.33, 0, 0.33, 0.67])
 
 
 def energy_path(alpha, beta, n=100, end=1.0):
@@ -51,9 +52,9 @@ def peak_misfit(thick):
     `creases.CREASES`): scalars, or (n,) for a batch.
     """
     gaps = _gaps(thick, _NODES[None]).max((2, 3))
-    k = gaps.argmax(-1)[:, None]
-    _, place = _vertex(gaps)
-    near = np.clip(np.concatenate([k, place[:, None]], -1) / STEPS, 0, 1)
+    # Around the largest node: the top may be a corner, where the unit jumps.
+    near = np.concatenate([gaps.argmax(-1)[:, None] + _AROUND, _vertex(gaps)[1][:, None]], -1)
+    near = np.clip(near / STEPS, 0, 1)
     gaps = _gaps(thick, near).max(-1)
     best = gaps.max(-1).argmax(-1)
     which = np.arange(len(gaps))
@@ -83,7 +84,7 @@ def needed_play(thick, accuracy=2e-3):
             break
         top = best
     values = np.nan_to_num(found)
-    peak, place = _vertex(values)
+    place = _vertex(values)[1]
     place = np.clip(place / STEPS, 0, 1)
     refined = _levels(thick, place[:, None], np.ones((n, 1), bool), accuracy)
     higher = refined > values.max(-1)
@@ -171,9 +172,7 @@ def assess(thick, play, panel_size=None, strain_limit=PLA_STRAIN):
     delta, delta_at = needed_play(thick)
     strain = peak / (thick.scale if panel_size is None else panel_size)
     deployed = thick.misfit(1.0).max(-1)
-    return Snap(
-        peak, peak_at, hinge, deployed, delta, delta_at, float(play), strain, strain_limit
-    )
+    return Snap(peak, peak_at, hinge, deployed, delta, delta_at, float(play), strain, strain_limit)
 
 
 def _gaps(thick, fractions):

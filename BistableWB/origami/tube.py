@@ -13,10 +13,12 @@ import numpy as np
 from . import rigid
 from . import unit as units
 from .bezier import normalised
+from .contacts import contact_pairs
 from .creases import INDEX, PANELS
 from .deployment import contact_frame, opening_state
+from .general import general_unit, openings
 
-FAMILIES = ("Plane", "Sphere")
+FAMILIES = ("Plane", "Sphere", "General")
 
 
 @dataclass(frozen=True)
@@ -75,11 +77,7 @@ def make_unit(family, theta, edge_length, height_ratio, rule, omega=None):
     ``theta`` and ``omega`` in radians, ``height_ratio`` = ‖AB‖/h, ``rule`` a `ratios.RatioRule`.
     ValueError for a free ratio on a sphere, where it does not close.
     """
-    if not (np.isfinite(height_ratio) and height_ratio > 0):
-        raise ValueError(
-            f"HeightRatio ‖AB‖/h is {height_ratio:.6g}: it must be a number above 0, 2.5 is usual."
-        )
-    height = edge_length / height_ratio
+    height = _strip_height(edge_length, height_ratio)
     if family == "Sphere":
         return units.sphere_unit(theta, edge_length, omega, height, rule.for_sphere())
     return units.plane_unit(theta, rule.ratios(theta), edge_length, height)
@@ -107,6 +105,8 @@ def along(placement, family, height_ratio, rule, sphere_radius=None, tuning=None
 
     ``tuning``: a `Tuning` for thick panels.
     """
+    if family == "General":
+        return _along_any_curve(placement, height_ratio, rule)
     tuning = tuning or Tuning()
     thetas, omega, count = placement.thetas, None, len(placement)
     if tuning.sines.any():
@@ -117,6 +117,22 @@ def along(placement, family, height_ratio, rule, sphere_radius=None, tuning=None
         omega = np.arctan2(1, cotangents + tuning.fitted(tuning.cotangents, count))
     unit = make_unit(family, thetas, placement.edge_length, height_ratio, rule, omega)
     return Tube(unit, _frames(placement, unit), placement.sides < 0)
+
+
+def _along_any_curve(placement, height_ratio, rule):
+    """Units between the contact panels of a placement with any legs: section 4."""
+    contacts = contact_pairs(placement, _strip_height(placement.edge_length, height_ratio))
+    unit = general_unit(*contacts, rule.ratios(openings(*contacts)))
+    frames = np.broadcast_to(np.eye(4), (len(placement), 4, 4)).copy()
+    return Tube(unit, frames, placement.sides < 0)
+
+
+def _strip_height(edge_length, height_ratio):
+    if not (np.isfinite(height_ratio) and height_ratio > 0):
+        raise ValueError(
+            f"HeightRatio ‖AB‖/h is {height_ratio:.6g}: it must be a number above 0, 2.5 is usual."
+        )
+    return edge_length / height_ratio
 
 
 def _leg_slopes(placement, sphere_radius):

@@ -133,7 +133,7 @@ def test_thick_placement_leaves_room_for_the_double_hinge():
     """Between consecutive joint axes (p off the blocks) lies the link of length 2p."""
     pitch = 1.8
     placed = place(Bezier(ARCH), 40, np.radians(20), pitch)
-    normal = np.cross(placed.directions, (0, 0, 1))
+    normal = np.cross(placed.reaches / 20, (0, 0, 1))
     ahead = np.diff(placed.midpoints, axis=0)
     for k in range(len(placed)):
         n, m = normal[k] * np.sign(normal[k] @ ahead[k]), normal[k + 1]
@@ -181,3 +181,35 @@ LOOP = [(0, 0), (300, 300), (-250, 300), (60, 0)]
 def test_refusals_name_place_and_cure(points, edge, gamma, options, words):
     with pytest.raises(ValueError, match=words):
         place(Bezier(points), edge, np.radians(gamma), **options)
+
+
+class Helix:
+    def __init__(self, pitch, turns):
+        self.pitch, self.turns = pitch, turns
+
+    def point(self, s):
+        t = np.asarray(s, float) * self.turns * 2 * np.pi
+        return np.stack([100 * np.cos(t), 100 * np.sin(t), self.pitch * t / (2 * np.pi)], -1)
+
+
+@pytest.mark.parametrize("pitch", [38, 42, 46, 50])
+def test_level_rule_follows_a_helix_without_tilting(pitch):
+    curve = Helix(pitch, 3)
+    placed = place(curve, 30, np.radians(20), level=True)
+    mids = (placed.points[:-1] + placed.points[1:]) / 2
+    assert np.abs(curve.point(placed.parameters) - mids).max() < 0.1  # mm
+    lengths = np.linalg.norm(np.diff(placed.points, axis=0), axis=1)
+    assert lengths == pytest.approx(np.full(len(lengths), 30), rel=5e-3)
+    climb = np.abs(np.diff(placed.points[:, 2])) / lengths
+    assert climb.max() < np.sin(np.radians(6))
+
+
+def test_level_rule_on_a_plane_curve_changes_nothing():
+    a = place(Bezier(ARCH), 40, np.radians(20))
+    b = place(Bezier(ARCH), 40, np.radians(20), level=True)
+    assert b.points == pytest.approx(a.points, abs=1e-9)
+
+
+def test_level_rule_needs_a_direction():
+    with pytest.raises(ValueError, match="switch Level off"):
+        place(OnSphere(), 40, np.radians(20), legs=("point", (0, 0, 0)), level=True)
