@@ -11,33 +11,28 @@ lower one meet only at contacts, borders and the link at B, so each half is redu
 import numpy as np
 
 from . import rigid
-from .closure import BODY, FIRST, KEPT, SECOND, Closure
+from .closure import BODY, FIRST, KEPT, SECOND, UNKNOWNS, Closure
 from .creases import BODIES, CREASES
 
 _FLOOR, _CEILING = 1e-6, 1e-2  # bounds of the regularisation, edge lengths
 _LONGEST = 0.2  # step of a pose, radians or edge lengths
 
 
-def _columns(bodies):
-    wanted = np.concatenate([6 * BODY[b] + np.arange(6) for b in bodies])
-    return np.flatnonzero(np.isin(KEPT, wanted))
-
-
-def _rows(hinges):
-    return (5 * np.asarray(hinges)[:, None] + np.arange(5)).ravel()
-
-
 def _half(end):
+    """Rows (equations) and columns (unknown poses) of one sub-unit."""
     bodies = [b for b in BODIES if b.endswith(end)]
-    hinges = [i for i, c in enumerate(CREASES) if set(c.bodies) & set(bodies)]
-    return _rows(hinges), _columns(bodies)
+    hinges = [i for i, c in enumerate(CREASES) if set(bodies) & set(c.bodies)]
+    unknowns = np.concatenate([6 * BODY[b] + np.arange(6) for b in bodies])
+    rows = (5 * np.array(hinges)[:, None] + np.arange(5)).ravel()
+    return rows, np.flatnonzero(np.isin(KEPT, unknowns))
 
 
-HALVES = tuple(_half(end) for end in ("upper", "lower"))
-REST = (
-    np.setdiff1d(np.arange(5 * len(CREASES)), np.concatenate([rows for rows, _ in HALVES])),
-    np.setdiff1d(np.arange(len(KEPT)), np.concatenate([columns for _, columns in HALVES])),
+_HALVES = tuple(_half(end) for end in ("upper", "lower"))
+_IN_HALVES = np.concatenate([columns for _, columns in _HALVES])
+_REST_ROWS = np.setdiff1d(
+    np.arange(5 * len(CREASES)), np.concatenate([rows for rows, _ in _HALVES])
 )
+_REST = np.setdiff1d(np.arange(UNKNOWNS), _IN_HALVES)
 
 
 def normals(axes):
@@ -86,24 +81,24 @@ def _step(closure, poses, shifts, across):
     # Unknown are the whole shifts, so that their norm, not the step's, is least.
     target = residual - (by_shift @ shifts.reshape(n, -1, 1))[..., 0]
     wide = np.concatenate([by_pose, by_shift, target[..., None]], -1)
-    others = np.setdiff1d(np.arange(wide.shape[-1]), np.concatenate([c for _, c in HALVES]))
-    halves, left = [], [wide[:, REST[0][:, None], others]]
-    for rows, columns in HALVES:
+    others = np.setdiff1d(np.arange(wide.shape[-1]), _IN_HALVES)
+    halves, left = [], [wide[:, _REST_ROWS[:, None], others]]
+    for rows, columns in _HALVES:
         q, r = np.linalg.qr(wide[:, rows[:, None], columns], mode="complete")
         turned = np.swapaxes(q, -1, -2) @ wide[:, rows[:, None], others]
         halves.append((r[:, : len(columns)], turned[:, : len(columns)]))
         left.append(turned[:, len(columns) :])
     left = np.concatenate(left, 1)
-    inner = len(REST[1])
+    inner = len(_REST)
     q, r = np.linalg.qr(left[..., :inner], mode="complete")
     turned = np.swapaxes(q, -1, -2) @ left[..., inner:]
     found = _least_norm(turned[:, inner:], np.abs(residual).max(-1))
     known = np.concatenate([found, np.ones((n, 1))], -1)[..., None]
-    step = np.zeros((n, len(KEPT)))
+    step = np.zeros((n, UNKNOWNS))
     rest = -np.linalg.solve(r[:, :inner], turned[:, :inner] @ known)
-    step[:, REST[1]] = rest[..., 0]
+    step[:, _REST] = rest[..., 0]
     known = np.concatenate([rest, known], 1)
-    for (_, columns), (r, turned) in zip(HALVES, halves, strict=True):
+    for (_, columns), (r, turned) in zip(_HALVES, halves, strict=True):
         step[:, columns] = -np.linalg.solve(r, turned @ known)[..., 0]
     step *= np.minimum(1, _LONGEST / np.maximum(np.abs(step).max(-1, keepdims=True), 1e-300))
     return step, found.reshape(shifts.shape) - shifts

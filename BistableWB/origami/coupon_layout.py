@@ -24,7 +24,9 @@ def dihedral(parameters, length_x=45.0, length_y=36.0):
     _check_lengths(length_x, length_y)
     half = parameters.pitch / 2
     edge = complex(0, parameters.radius)
-    hinge = Hinge("crease", edge, 1, 0.0, ("plate_lower", "plate_upper"), (0.0, length_x), ("", " "))
+    hinge = Hinge(
+        "crease", edge, 1, 0.0, ("plate_lower", "plate_upper"), (0.0, length_x), ("", " ")
+    )
     lines = [*_rectangle(length_x, length_y), (edge + 1j * parameters.cut_back, 1j, "crease")]
     core = _core("plate", lines, ("crease",), length_x, length_y)
     cores = {"plate_lower": core, "plate_upper": core}

@@ -1,25 +1,56 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the hinges and panels of one bistable unit lie in plan (``hinges.md`` 1 and 2)."""
 
+from dataclasses import replace
+
 from . import plan
 from .creases import CREASES, LAYER_HEIGHT_IN_PITCHES, LINKS, PANELS, kind_of, layer_of
-from .hinge_plan import Hinge, finish, size_property
+from .hinge_plan import Hinge, TooSmall, finish
 
 
-def unit_layout(axes, parameters):
+def unit_layout(axes, parameters, edge_length=None):
     """`hinge_plan.Layout` of one unit.
 
     ``axes``: (23, 2, 3), the ends of each hinge axis in the flat state in the order of `CREASES`
-    (plan = x, z), compensation included; ``parameters``: `HingeParameters`.
+    (plan = x, z), compensation included; ``parameters``: `HingeParameters`; ``edge_length``: ‖AB‖
+    mm, for messages.
     ValueError where a panel or a hinge has no room.
     """
     parameters.check()
     hinges = _axes_of(axes, parameters)
+    try:
+        return _laid_out(hinges, parameters)
+    except TooSmall as error:
+        if error.hinge.name.startswith("leg"):
+            raise
+        factor = _growth(hinges, parameters)
+        raise TooSmall(error.what, error.hinge, factor, edge_length) from error
+
+
+def _laid_out(hinges, parameters):
     cores = {name: _core(name, hinges, parameters) for name in PANELS}
-    heights = {
-        name: LAYER_HEIGHT_IN_PITCHES[layer_of(name)] * parameters.pitch for name in PANELS
-    }
+    heights = {name: LAYER_HEIGHT_IN_PITCHES[layer_of(name)] * parameters.pitch for name in PANELS}
     return finish(hinges, cores, heights, LINKS, parameters)
+
+
+def _growth(hinges, parameters):
+    """How much larger a unit of the same proportions must be for these hinges."""
+    for step in range(1, 60):
+        factor = 1.04**step
+        larger = {
+            name: replace(
+                hinge,
+                origin=factor * hinge.origin,
+                stretch=tuple(factor * s for s in hinge.stretch),
+            )
+            for name, hinge in hinges.items()
+        }
+        try:
+            _laid_out(larger, parameters)
+        except TooSmall:
+            continue
+        return 1.03 * factor
+    return 10.0
 
 
 def _axes_of(axes, parameters):
@@ -67,9 +98,10 @@ def _core(panel, hinges, parameters):
     corners, tags = plan.half_planes(lines, ends, 10 * parameters.cut_back)
     if not corners or not all(h.name in tags for h in own):
         shortest = min(own, key=lambda h: h.stretch[1])
-        raise ValueError(
-            f"Panel {panel} is too small for its hinges: cut back by {parameters.cut_back:.3g} mm "
-            f"at every edge it has no edge left at hinge {shortest.name}; set "
-            f"{size_property(shortest, 2.0)}, or make FaceThickness smaller."
+        raise TooSmall(
+            f"Panel {panel}: cut back by {parameters.cut_back:.3g} mm at every edge, no edge is "
+            f"left at hinge {shortest.name}",
+            shortest,
+            2.0,
         )
     return corners, tags

@@ -72,6 +72,10 @@ class HingeParameters:
         """Radius of a cone's base: the recess leaves a wall of one nozzle diameter (mm)."""
         return self.radius - self.nozzle_diameter
 
+    def tip_radius(self, cone_height):
+        """Radius of the blunt tip of a cone ``cone_height`` mm high (mm)."""
+        return self.cone_base - cone_height / tan(self.cone_angle)
+
     @property
     def cone_tip(self):
         """Smallest radius of a cone's blunt tip (mm)."""

@@ -21,8 +21,8 @@ CORNER = 0.1
 class Hinge:
     """One hinge axis in plan and its knuckles.
 
-    ``origin``, ``direction`` (unit): the axis; ``height``: its height (mm); ``bodies``: owner of the
-    even and of the odd segments; ``stretch``: the part of the axis between its two vertices;
+    ``origin``, ``direction`` (unit): the axis; ``height``: its height (mm); ``bodies``: owner of
+    the even and of the odd segments; ``stretch``: the part of the axis between its two vertices;
     ``corners``: plan vertex at each end of the stretch; ``segments``: (start, end) of each knuckle
     along the axis (mm from the origin); ``cone_height`` (mm).
     """
@@ -94,11 +94,24 @@ class Plate:
 
 @dataclass(frozen=True)
 class Link:
-    """A double hinge's link: its two hinges, lower first, and the unit vector away from the panels."""
+    """A double hinge's link: its two hinges, lower first, and the way out from the panels."""
 
     name: str
     hinges: tuple
     outward: complex
+
+
+class TooSmall(ValueError):
+    """A panel or hinge has no room.
+
+    ``what`` is wrong, at which ``hinge``, and the ``factor`` by which its length must grow.
+    """
+
+    def __init__(self, what, hinge, factor, edge_length=None):
+        self.what, self.hinge = what, hinge
+        size = size_property(hinge, factor, edge_length)
+        cure = f"set {size}, or make FaceThickness or GapLength smaller"
+        super().__init__(f"{what}; {cure}.")
 
 
 @dataclass(frozen=True)
@@ -208,20 +221,21 @@ def _check_room(hinge, length, need, what):
         return
     whole = hinge.stretch[1] - hinge.stretch[0]
     left = f"only {length:.3g} mm are" if length > 0 else "no length is"
-    raise ValueError(
-        f"Hinge {hinge.name}: {left} left between its vertices and {what} {need:.3g} mm; set "
-        f"{size_property(hinge, 1.02 * (whole + need - length) / whole)}, or make GapLength or "
-        "FaceThickness smaller."
-    )
+    raise TooSmall(
+        f"Hinge {hinge.name}: {left} left between its vertices and {what} {need:.3g} mm", hinge,
+        1.05 * (whole + need - length) / whole,
+    )  # fmt: skip
 
 
-def size_property(hinge, factor):
-    """The property, with a value, that makes a hinge ``factor`` times longer."""
+def size_property(hinge, factor, edge_length=None):
+    """The property, with a value, that makes a hinge of a unit ``factor`` times longer."""
     if hinge.name.startswith("leg"):
         return f"the strip height h (HeightRatio) so that h is {hinge.stretch[1] * factor:.3g} mm"
     if hinge.name.startswith("crease"):
         return f"LengthX and LengthY {factor:.2f} times larger"
-    return f"EdgeLength {factor:.2f} times larger"
+    if edge_length:
+        return f"EdgeLength ‖AB‖ to {factor * edge_length:.3g} mm"
+    return f"EdgeLength ‖AB‖ {factor:.2f} times larger"
 
 
 def make_segments(hinge, span, count, parameters):
@@ -246,7 +260,9 @@ def make_link(name, hinges, cores, parameters, notes):
         for h, o, k in zip(pair, offsets, slopes, strict=True)
     ]
     common = max(low for low, _ in spans), min(high for _, high in spans)
-    mean = segmented(replace(pair[0], origin=origin, direction=direction), common, parameters, notes)
+    mean = segmented(
+        replace(pair[0], origin=origin, direction=direction), common, parameters, notes
+    )
     matched = []
     for hinge, offset, slope in zip(pair, offsets, slopes, strict=True):
         segments = tuple(tuple((s - offset) / slope for s in ends) for ends in mean.segments)
@@ -311,8 +327,11 @@ class LinkSection:
 
 
 def link_section(parameters):
-    """Section of every link: narrow enough on the panels' side to keep the clearance from the
-    barrels at height 0, and a spine that no knuckle of the panels can reach."""
+    """Section of every link.
+
+    Narrow enough on the panels' side to keep the clearance from barrels at height 0, and with a
+    spine that no knuckle of the panels can reach.
+    """
     r, p, clear = parameters.radius, parameters.pitch, parameters.cut_back
     beside = sqrt(max((2 * r + parameters.gap_length) ** 2 - p * p, 0.0)) - clear
     narrow = max(p - parameters.nozzle_diameter, 0.0)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Volumes (mm³) of hinged panels and links in closed form, from their layout alone."""
 
-from math import acos, asin, pi, sqrt, tan
+from math import acos, asin, pi, sqrt
 
 from . import plan
-from .hinge_plan import link_section
 from .hinge_parameters import PIN
+from .hinge_plan import link_section
 
 
 def plate_volume(plate, parameters):
@@ -40,8 +40,7 @@ def feature_volume(hinge, index, parameters):
 
 def cone_volume(hinge, parameters):
     """Volume of one blunt cone of a hinge."""
-    base = parameters.cone_base
-    tip = base - hinge.cone_height / tan(parameters.cone_angle)
+    base, tip = parameters.cone_base, parameters.tip_radius(hinge.cone_height)
     return pi * hinge.cone_height * (base * base + base * tip + tip * tip) / 3
 
 
@@ -54,9 +53,7 @@ def link_volume(link, parameters):
     dogbone, spine = link_section_areas(parameters)
     volume, last = 0.0, None
     for index in range(1, len(lower.segments), 2):
-        ends = [
-            (lower.segments[index][k] + upper.segments[index][k]) / 2 for k in (0, 1)
-        ]
+        ends = [(lower.segments[index][k] + upper.segments[index][k]) / 2 for k in (0, 1)]
         volume += dogbone * (ends[1] - ends[0])
         if last is not None:
             volume += spine * (ends[0] - last)

@@ -192,8 +192,10 @@ class ThickUnit:
             poses[:, deployed] = self._node(_DEPLOYED)[:, None]
         rest = ~flat & ~deployed
         if rest.any():
-            asked = np.broadcast_to(fractions[:, rest], (len(self), rest.sum()))
-            poses[:, rest] = self._settled(asked, self._near(asked))
+            poses[:, rest] = self._near(np.broadcast_to(fractions, poses.shape[:2])[:, rest])
+        between = rest & (fractions * STEPS % 1 != 0).any(0)
+        if between.any():
+            poses[:, between] = self._settled(fractions[:, between], poses[:, between])
         return poses
 
     # -- inside ------------------------------------------------------------------------------------

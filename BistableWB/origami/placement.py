@@ -11,7 +11,7 @@ and block k + 1 is the mirror image of block k in the plane with normal y half w
 this is the circle (sphere) of radius r about B_k of the paper.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,16 +28,18 @@ class Placement:
     """Result of `place`: n units between n + 1 contact segments.
 
     ``points`` (n + 2, 3): the zigzag A_0, B_0, B_1 … (for pitch 0 consecutive segments share a
-    point); ``midpoints`` (n + 1, 3) on the curve at ``parameters`` (n + 1,); ``thetas`` (n,)
+    point); ``midpoints`` (n + 1, 3) on the curve at ``parameters`` and ``lengths`` from its
+    start (n + 1,); ``thetas`` (n,)
     radians; ``reaches`` (n + 1, 3): r e_k, from the midpoint to the joint; ``legs`` (n + 1, 3) unit vectors along the
     strip's legs ("upper") at the midpoints; ``sides`` (n,): +1 where the joint B of the unit lies
-    left of the path seen from upper, −1 on the right; ``length`` of the curve, ``followed`` of it;
+    left of the path seen from upper, −1 on the right; ``length`` of the whole curve;
     ``centre``: V of concurrent legs, else None.
     """
 
     points: np.ndarray
     midpoints: np.ndarray
     parameters: np.ndarray
+    lengths: np.ndarray
     thetas: np.ndarray
     reaches: np.ndarray
     legs: np.ndarray
@@ -45,7 +47,6 @@ class Placement:
     edge_length: float
     pitch: float
     length: float
-    followed: float
     centre: np.ndarray | None = None
 
     def __len__(self):
@@ -55,6 +56,20 @@ class Placement:
     def segments(self):
         """Ends of the contact segments' mid-lines, start and joint: (n + 1, 2, 3)."""
         return np.stack([self.midpoints - self.reaches, self.midpoints + self.reaches], 1)
+
+    def first(self, count):
+        """The placement of the first ``count`` units at most."""
+        if count >= len(self):
+            return self
+        ends = {"points": count + 2, "thetas": count, "sides": count}
+        of_blocks = ("midpoints", "parameters", "lengths", "reaches", "legs")
+        ends |= dict.fromkeys(of_blocks, count + 1)
+        return replace(self, **{name: getattr(self, name)[:end] for name, end in ends.items()})
+
+    @property
+    def followed(self):
+        """Length of the curve up to the last midpoint."""
+        return float(self.lengths[-1])
 
     @property
     def distances_from_centre(self):
@@ -263,6 +278,7 @@ def _result(table, legs, edge_length, pitch, blocks):
         points=points,
         midpoints=midpoints,
         parameters=np.array(blocks.parameters),
+        lengths=table.length_at(blocks.parameters),
         thetas=2 * np.arcsin(np.array(blocks.sines)),
         reaches=reach,
         legs=rulings,
@@ -270,7 +286,6 @@ def _result(table, legs, edge_length, pitch, blocks):
         edge_length=float(edge_length),
         pitch=float(pitch),
         length=float(table.lengths[-1]),
-        followed=float(table.length_at(blocks.parameters[-1])),
         centre=legs.vector if legs.central else None,
     )
 

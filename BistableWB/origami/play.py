@@ -56,8 +56,8 @@ def _newton(closure, poses, level, sharpness):
     slope = sharpness - (2 * level[:, None, None] / room).sum((1, 2))
     bend = ((2 * level[:, None, None] / room) ** 2 - 2 / room).sum((1, 2))
     scale = np.trace(matrix, axis1=1, axis2=2)[:, None, None] / UNKNOWNS
-    solved = np.linalg.solve(matrix + 1e-12 * scale * np.eye(UNKNOWNS), pulled)
-    by_gradient, by_mixed = solved[..., 0], solved[..., 1]
+    steps = np.linalg.solve(matrix + 1e-12 * scale * np.eye(UNKNOWNS), pulled)
+    by_gradient, by_mixed = steps[..., 0], steps[..., 1]
     rise = -(slope - (mixed * by_gradient).sum(-1)) / (bend - (mixed * by_mixed).sum(-1))
     step = -by_gradient - rise[:, None] * by_mixed
     return step, rise, -((gradient * step).sum(-1) + slope * rise)

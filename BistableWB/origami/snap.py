@@ -70,9 +70,8 @@ def needed_play(thick, accuracy=2e-3):
     opening fraction: scalars, or (n,) for a batch. ``accuracy`` is relative.
     """
     n, which = len(thick), np.arange(len(thick))
-    squares = (_gaps(thick, _NODES[None]) ** 2).sum((2, 3))
     # The least squares tell where to look; from there uphill, node by node.
-    top = np.clip(squares.argmax(-1), 1, STEPS - 1)
+    top = np.clip(_squares(thick).argmax(-1), 1, STEPS - 1)
     found = np.full((n, STEPS + 1), np.nan)
     for _ in range(STEPS):
         nodes = np.clip(top[:, None] + [-1, 0, 1], 0, STEPS)
@@ -94,12 +93,16 @@ def needed_play(thick, accuracy=2e-3):
 
 @dataclass(frozen=True)
 class Snap:
-    """What `assess` found, scalars or (n,): lengths in mm, openings as fractions of θ."""
+    """What `assess` found, scalars or (n,): lengths in mm, openings as fractions of θ.
+
+    ``bistable``: after its peak the squared misfit falls again, so there is a second stable state.
+    """
 
     peak_misfit: np.ndarray
     peak_at: np.ndarray
     peak_hinge: np.ndarray
     deployed_misfit: np.ndarray
+    bistable: np.ndarray
     needed_play: np.ndarray
     needed_at: np.ndarray
     play: float
@@ -118,11 +121,6 @@ class Snap:
         return self.margin < 1
 
     @property
-    def closes(self):
-        """Whether there is a second stable state: deployed, the misfit is past its peak."""
-        return self.deployed_misfit < 0.9 * self.peak_misfit
-
-    @property
     def overstrained(self):
         """Whether the peak strain is more than the material bears."""
         return self.strain > self.strain_limit
@@ -136,9 +134,9 @@ class Snap:
         margin, needed, strain = (
             np.ravel(a)[k] for a in (self.margin, self.needed_play, self.strain)
         )
-        if not np.ravel(self.closes)[k]:
+        if not np.ravel(self.bistable)[k]:
             yield (
-                f"{at} has no second stable state: deployed, its hinges miss each other by "
+                f"{at} has no second stable state: its hinges' misfit rises all the way, to "
                 f"{np.ravel(self.deployed_misfit)[k]:.2f} mm; switch Compensate on."
             )
         if margin < 1:
@@ -172,7 +170,10 @@ def assess(thick, play, panel_size=None, strain_limit=PLA_STRAIN):
     delta, delta_at = needed_play(thick)
     strain = peak / (thick.scale if panel_size is None else panel_size)
     deployed = thick.misfit(1.0).max(-1)
-    return Snap(peak, peak_at, hinge, deployed, delta, delta_at, float(play), strain, strain_limit)
+    bistable = _out(thick, (np.diff(_squares(thick)) < 0).any(-1))
+    return Snap(
+        peak, peak_at, hinge, deployed, bistable, delta, delta_at, float(play), strain, strain_limit
+    )
 
 
 def _gaps(thick, fractions):
@@ -180,6 +181,11 @@ def _gaps(thick, fractions):
     poses = thick.states(fractions)
     gaps = thick.closures(fractions).gaps(poses.reshape(-1, *poses.shape[2:]))
     return gaps.reshape(*poses.shape[:2], *gaps.shape[1:])
+
+
+def _squares(thick):
+    """Squared misfit (n, nodes) of all hinges at the nodes of the path."""
+    return (_gaps(thick, _NODES[None]) ** 2).sum((2, 3))
 
 
 def _levels(thick, openings, wanted, accuracy):

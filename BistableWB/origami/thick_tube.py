@@ -69,12 +69,15 @@ def thick_tube(place, make_tube, face_thickness, gap_between_planes, compensate=
     """Place, make and compensate a whole tube so that it follows the curve when deployed.
 
     ``place(tuning)`` → `Placement` and ``make_tube(placement, tuning)`` → `Tube` with a
-    `tube.Tuning`; thicknesses in mm. Without ``compensate`` the units stay as they are.
+    `tube.Tuning`; thicknesses in mm. Without ``compensate`` the units stay as they are. The tube
+    has as many units as the first placement, fewer only where the curve ends before the last.
     Returns a `ThickTube`.
     """
-    tuning = Tuning()
+    tuning, count = Tuning(), None
     for _ in range(_ROUNDS):
         placed = place(tuning)
+        count = count or len(placed)
+        placed = placed.first(count)
         tube = make_tube(placed, tuning)
         thick = ThickUnit(tube.unit, face_thickness, gap_between_planes)
         if not compensate:

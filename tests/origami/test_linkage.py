@@ -233,7 +233,9 @@ def test_panels_too_thick_are_refused_by_unit():
     pair = plane_unit(np.radians([20, 45]), np.array([0.3, 0.42]), 60, 20)
     with pytest.raises(ValueError, match=r"unit 2 .*FaceThickness .* 18 mm.*EdgeLength .*60 mm"):
         ThickUnit(pair, 12, 6).compensated()
-    with pytest.raises(ValueError, match=r"unit 1 does not fold flat.*FaceThickness"):
+    with pytest.raises(
+        ValueError, match=r"deployed state of unit 1 does not fold flat.*FaceThickness"
+    ):
         thick(45, 0.39, 60, 9).compensated().misfit(0.04)
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How strongly units snap (section 4 of the design notes on hinges)."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -16,12 +18,18 @@ A, B = np.radians(25), np.radians(35)
 
 
 def thick(theta, ratio, edge, pitch=1.8):
-    return ThickUnit(plane_unit(np.radians(theta), ratio, edge, 20), 2 / 3 * pitch, pitch / 3)
+    unit = plane_unit(np.radians(theta), np.asarray(ratio), edge, 20)
+    return ThickUnit(unit, 2 / 3 * pitch, pitch / 3)
 
 
 @pytest.fixture(scope="module")
 def typical():
     return thick(45, 0.39, 100).compensated()
+
+
+@pytest.fixture(scope="module")
+def assessed(typical):
+    return snap.assess(typical, play=0.4)
 
 
 def test_known_barrier():
@@ -105,16 +113,15 @@ def test_angles_out_of_range_are_refused():
         snap.energy_path(np.radians(25), np.radians(20))
 
 
-# Section 4 gives these as a rough computation.
 @pytest.mark.parametrize(
     ("theta", "ratio", "edge", "needed"),
-    [(45, 0.42, 60, 0.34), (45, 0.42, 100, 0.52), (45, 0.39, 100, 0.94), (60, 0.52, 100, 0.9)],
+    [((45, 45, 60), (0.42, 0.39, 0.52), 100, (0.52, 0.94, 0.9)), ((45,), (0.42,), 60, (0.34,))],
 )
 def test_needed_play(theta, ratio, edge, needed):
-    unit = thick(theta, ratio, edge).compensated()
-    delta, at = snap.needed_play(unit)
-    assert delta == pytest.approx(needed, rel=0.1)
-    assert 0.7 < at < 0.9
+    """Section 4 gives these as a rough computation."""
+    delta, at = snap.needed_play(thick(theta, ratio, edge).compensated())
+    assert delta == pytest.approx(np.array(needed), rel=0.1)
+    assert ((at > 0.7) & (at < 0.9)).all()
 
 
 def test_needed_play_is_a_true_minimum_of_the_maximum(typical):
@@ -133,42 +140,52 @@ def test_needed_play_is_a_true_minimum_of_the_maximum(typical):
     assert unbalanced < 1e-3
 
 
-def test_needed_play_of_a_batch_is_that_of_each(typical):
-    units = plane_unit(np.radians([45, 50]), np.array([0.39, 0.48]), 100, 20)
-    batch = ThickUnit(units, 1.2, 0.6).compensated()
-    delta, at = snap.needed_play(batch)
-    assert delta[0] == pytest.approx(snap.needed_play(typical)[0], rel=2e-3)
+def test_single_units_and_batches_agree(typical, assessed):
+    batch = thick((50, 45), (0.48, 0.39), 100).compensated()
     peak, peak_at, hinge = snap.peak_misfit(batch)
-    assert peak.shape == peak_at.shape == hinge.shape == at.shape == (2,)
-    assert peak[0] == pytest.approx(snap.peak_misfit(typical)[0])
-    assert (delta < peak).all()
-    assert batch.misfit(peak_at[1])[1].max() == pytest.approx(peak[1])
+    assert peak.shape == peak_at.shape == hinge.shape == (2,)
+    assert peak[1] == pytest.approx(assessed.peak_misfit)
+    assert batch.misfit(peak_at[0])[0].max() == pytest.approx(peak[0])
+    assert assessed.needed_play < assessed.peak_misfit
+    assert np.ndim(assessed.needed_play) == 0
 
 
-def test_assessment(typical):
-    found = snap.assess(typical, play=0.4)
-    assert found.margin == pytest.approx(found.needed_play / 0.4)
-    assert found.closes
-    assert not found.floppy
-    assert found.strain == pytest.approx(found.peak_misfit / 100)
-    assert not found.overstrained
-    assert found.warnings() == []
-    assert snap.assess(typical, play=0).margin == np.inf
+def test_assessment(assessed):
+    assert assessed.margin == pytest.approx(assessed.needed_play / 0.4)
+    assert assessed.bistable
+    assert not assessed.floppy
+    assert assessed.strain == pytest.approx(assessed.peak_misfit / 100)
+    assert not assessed.overstrained
+    assert assessed.warnings() == []
+    assert replace(assessed, play=0.0).margin == np.inf
 
 
-def test_warnings_name_the_trouble_and_the_cure(typical):
-    floppy = snap.assess(typical, play=2.0, strain_limit=0.01)
-    assert floppy.floppy
-    first, second = floppy.warnings()
+def test_warnings_name_the_trouble_and_the_cure(assessed):
+    first, second = replace(assessed, play=2.0, strain_limit=0.01).warnings()
     assert "floppy" in first
     assert "EdgeLength" in first
     assert "flexible hinges" in first
     assert "strains by 1.9%" in second
-    batch = ThickUnit(plane_unit(np.radians([50, 50]), np.array([0.5, 0.5]), 45, 15), 0.9, 0.5)
-    sentences = snap.assess(batch, play=0).warnings()
-    assert len(sentences) == 2
-    assert sentences[1].startswith("Unit 2 has no second stable state")
-    assert "Compensate" in sentences[1]
+    (rising,) = replace(assessed, bistable=np.False_).warnings()
+    assert "no second stable state" in rising
+    assert "Compensate" in rising
+
+
+def test_warnings_of_a_batch_name_the_unit(assessed):
+    both = {name: np.full(2, value) for name, value in vars(assessed).items()}
+    both |= {"play": 0.4, "strain_limit": 0.02, "needed_play": np.array([1.0, 0.1])}
+    (sentence,) = snap.Snap(**both).warnings()
+    assert sentence.startswith("Unit 2 is floppy")
+
+
+def test_uncompensated_units_may_have_no_second_stable_state():
+    """The table of section 3: the first row's misfit still rises, the second's has passed."""
+    unit = plane_unit(np.radians([50, 40]), np.array([0.5, 0.36]), 45, 15)
+    found = snap.assess(ThickUnit(unit, 2.8 / 3, 1.4 / 3), play=0)
+    assert found.bistable.tolist() == [False, True]
+    assert found.deployed_misfit == pytest.approx(np.array([0.43, 0.50]), rel=0.05)
+    assert found.peak_at[0] == pytest.approx(1)
+    assert found.peak_misfit == pytest.approx(np.array([0.43, 0.55]), rel=0.05)
 
 
 def test_a_negative_play_is_refused(typical):

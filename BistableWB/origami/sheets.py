@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sheets to cut and score: the nets of tubes, packed to scale, with labels, legend and scale bar.
+
+Coordinates are millimetres from the sheet's lower left corner, as complex numbers x + i y.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .creases import kind_of
+from .nets import MOUNTAIN, VALLEY, unit_nets
+from .skin import OUTWARD
+
+CUT, LABEL, SHEET = "cut", "label", "sheet"
+LAYERS = (CUT, MOUNTAIN, VALLEY, LABEL, SHEET)
+DIN = {"A4": (297, 210), "A3": (420, 297), "A2": (594, 420), "A1": (841, 594), "A0": (1189, 841)}
+MARGIN, GAP, FOOTER = 8.0, 5.0, 12.0
+SCALE_BAR = 50.0
+_SMALLEST_TEXT = 1.0  # mm
+_TEXT_WIDTH = 0.62  # of its size, per letter
+
+
+class Line(NamedTuple):
+    """A line through ``points`` on a layer."""
+
+    layer: str
+    points: np.ndarray
+    closed: bool = False
+
+
+class Text(NamedTuple):
+    """Text on a layer, its middle at ``position``, running at ``angle`` (radians), capitals mm."""
+
+    layer: str
+    text: str
+    position: complex
+    angle: float
+    size: float
+
+
+class Sheet(NamedTuple):
+    """One sheet: ``size`` (width, height), its `Line` and `Text` lists, and the `Net` list."""
+
+    size: tuple
+    lines: list
+    texts: list
+    nets: list
+
+
+class _UnitNets(NamedTuple):
+    """Nets of unit ``k`` (from 0) of a tube of ``count`` units, and what its contacts are."""
+
+    k: int
+    count: int
+    incoming: str
+    nets: list
+
+
+def lay_out(tubes, sheet=None, tab_depth=0.0):
+    """`Sheet` list of all units of ``tubes``, a list of (name, `tube.Tube`).
+
+    ``sheet``: "A4" … "A0" (landscape), "600x400", (width, height) in mm, or None for the smallest
+    DIN sheet that holds every unit in one piece; ``tab_depth`` in mm, 0: no glue tabs.
+    ValueError for an unknown sheet or one too small for a panel.
+    """
+    if not (np.isfinite(tab_depth) and tab_depth >= 0):
+        raise ValueError(f"Tabs are {tab_depth:.4g} mm deep: give 0 for none, or 4 to 10 mm.")
+    size, made = _nets_on(sheet, tubes, tab_depth)
+    pieces = []
+    for unit in made:
+        for net in unit.nets:
+            turned = _turned(net, _area(size))
+            pieces.append((turned, _labels(turned, unit)))
+    title = ", ".join(name for name, _ in tubes)
+    pages = _packed(pieces, _area(size))
+    return [_sheet(size, page, title, i + 1, len(pages)) for i, page in enumerate(pages)]
+
+
+def sheet_size(sheet):
+    """(width, height) in mm of "A4", "600x400" or a pair; ValueError for anything else."""
+    if isinstance(sheet, str) and sheet.upper() in DIN:
+        return DIN[sheet.upper()]
+    try:
+        pair = sheet.lower().split("x") if isinstance(sheet, str) else sheet
+        width, height = (float(v) for v in pair)
+    except (TypeError, ValueError, AttributeError):
+        width = height = np.nan
+    least = 2 * MARGIN + FOOTER + SCALE_BAR
+    if not (least <= width < np.inf and least <= height < np.inf):
+        raise ValueError(
+            f"Sheet {sheet!r} is unknown: use {', '.join(DIN)}, or width x height in mm such as "
+            f"600x400, each at least {least:.0f}."
+        )
+    return width, height
+
+
+def _nets_on(sheet, tubes, tab_depth):
+    """Size of the sheets, and `_UnitNets` of all units."""
+    if sheet is not None:
+        size = sheet_size(sheet)
+        return size, _all_nets(tubes, size, tab_depth)
+    best, refusal = None, None
+    for size in DIN.values():
+        try:
+            made = _all_nets(tubes, size, tab_depth)
+        except ValueError as error:
+            refusal = error
+            continue
+        pieces = sum(len(unit.nets) for unit in made)
+        if best is None or pieces < best[0]:
+            best = pieces, size, made
+        if pieces == len(made):
+            break
+    if best is None:
+        raise refusal
+    return best[1:]
+
+
+def _all_nets(tubes, size, tab_depth):
+    area = _area(size)
+
+    def fits(points):
+        return _turn_into(points, area) is not None
+
+    made = []
+    for _, tube in tubes:
+        for k, left in enumerate(tube.incoming_left):
+            try:
+                nets = unit_nets(tube.unit[k], fits, tab_depth)
+            except ValueError as error:
+                raise ValueError(
+                    f"Unit {k + 1}: {error} It is {size[0]:g} x {size[1]:g} mm."
+                ) from error
+            made.append(_UnitNets(k, len(tube), "left" if left else "right", nets))
+    return made
+
+
+def _area(size):
+    """Width and height that nets may take."""
+    return size[0] - 2 * MARGIN, size[1] - 2 * MARGIN - FOOTER
+
+
+def _turn_into(points, area, first=()):
+    """Complex turn with which points fit ``area``; of those, ``first`` ones are preferred."""
+    for turn in (*first, *np.exp(1j * np.radians(np.arange(0, 180, 3)))):
+        spun = points * turn
+        if np.ptp(spun.real) <= area[0] and np.ptp(spun.imag) <= area[1]:
+            return turn
+    return None
+
+
+def _turned(net, area):
+    """The net with its strip across the sheet where that fits, its corner at 0."""
+    upright = _up(net)
+    points = np.concatenate(net.shapes)
+    turn = _turn_into(points, area, (1j / upright, 1 / upright))
+    spun = points * turn
+    return net.moved(turn, -complex(spun.real.min(), spun.imag.min()))
+
+
+def _up(net):
+    """Direction of the mean leg of a net, lower to upper; along some edge if it has no leg."""
+    for name, polygon in net.polygons.items():
+        if kind_of(name) in ("border", "contact"):
+            ends = [1 if v.endswith("upper") else -1 for v in OUTWARD[name]]
+            leg = (ends * polygon).sum()
+            return leg / abs(leg)
+    side = polygon[1] - polygon[0]
+    return 1j * side / abs(side)
+
+
+def _labels(net, unit):
+    """`Text` list of a net: names in the panels, numbers along the seams."""
+    angle = float(np.angle(_up(net) / 1j))
+    texts = []
+    for name, polygon in net.polygons.items():
+        middle, reach = _middle(polygon)
+        text, largest = _panel_label(name, unit)
+        texts.append(_fitted(text, middle, angle, reach, largest))
+    texts += [_seam_label(seam, net.polygons[seam.panel]) for seam in net.seams]
+    return [t for t in texts if t.size >= _SMALLEST_TEXT]
+
+
+def _panel_label(name, unit):
+    """Text of a panel's label and its largest size (mm)."""
+    kind = kind_of(name)
+    if kind == "border":
+        return f"unit {unit.k + 1}", 5.0
+    if kind != "contact":
+        return kind, 2.2
+    if name.endswith(unit.incoming):
+        return ("start" if unit.k == 0 else f"to unit {unit.k}"), 3.0
+    return ("end" if unit.k == unit.count - 1 else f"to unit {unit.k + 2}"), 3.0
+
+
+def _fitted(text, middle, angle, reach, largest):
+    """Text about a point from which the nearest edge is ``reach`` mm away."""
+    size = min(largest, 0.8 * reach, 2 * reach / (_TEXT_WIDTH * len(text)))
+    return Text(LABEL, text, middle, angle, size)
+
+
+def _middle(polygon):
+    """The middle of the largest circle in a triangle, or of a quadrilateral; and its radius."""
+    if len(polygon) == 3:
+        weights = np.abs(np.roll(polygon, -1) - np.roll(polygon, -2))
+        middle = (weights * polygon).sum() / weights.sum()
+    else:
+        middle = polygon.mean()
+    along = np.roll(polygon, -1) - polygon
+    heights = ((middle - polygon) * along.conj() / np.abs(along)).imag
+    return complex(middle), float(heights.min())
+
+
+def _seam_label(seam, polygon):
+    along = (seam.end - seam.start) / abs(seam.end - seam.start)
+    _, reach = _middle(polygon)
+    size = min(2.6, 0.5 * reach, 0.3 * abs(seam.end - seam.start))
+    angle = np.angle(along)
+    if not -np.pi / 2 + 1e-6 < angle <= np.pi / 2 + 1e-6:
+        angle += np.pi
+    position = (seam.start + seam.end) / 2 + 1j * along * 0.9 * size
+    return Text(LABEL, str(seam.number), complex(position), float(angle), float(size))
+
+
+def _packed(pieces, area):
+    """Pages of [(net, texts, shift)]: rows from the top left, each as high as its highest net."""
+    pages, row_top, x, row_height = [[]], area[1], 0.0, 0.0
+    for net, texts in pieces:
+        points = np.concatenate(net.shapes)
+        width, height = np.ptp(points.real), np.ptp(points.imag)
+        if x > 0 and x + width > area[0] + 1e-9:
+            row_top, x, row_height = row_top - row_height - GAP, 0.0, 0.0
+        if row_top - height < -1e-9:
+            pages.append([])
+            row_top, x, row_height = area[1], 0.0, 0.0
+        shift = complex(x + MARGIN, row_top - height + MARGIN + FOOTER)
+        pages[-1].append((net, texts, shift))
+        x += width + GAP
+        row_height = max(row_height, height)
+    return pages
+
+
+def _sheet(size, page, title, number, count):
+    lines, texts, nets = [], [], []
+    for net, labels, shift in page:
+        placed = net.moved(1, shift)
+        nets.append(placed)
+        lines.append(Line(CUT, placed.outline, True))
+        folds = [*placed.folds, *((s.start, s.end, s.fold) for s in placed.seams if s.tab)]
+        lines += [Line(fold, np.array([a, b])) for a, b, fold in folds]
+        texts += [t._replace(position=t.position + shift) for t in labels]
+    more_lines, more_texts = _footer(size, title, number, count)
+    return Sheet(size, lines + more_lines, texts + more_texts, nets)
+
+
+def _footer(size, title, number, count):
+    """Frame of the sheet, title, legend and scale bar."""
+    width, height = size
+    corners = np.array([0, width, width + 1j * height, 1j * height])
+    base = MARGIN + 2.0
+    lines, texts = [Line(SHEET, corners, True)], []
+
+    def left_aligned(text, x, size_mm):
+        middle = complex(x + _TEXT_WIDTH * size_mm * len(text) / 2, base)
+        texts.append(Text(SHEET, text, middle, 0.0, size_mm))
+
+    x = width - MARGIN - SCALE_BAR
+    lines.append(Line(SHEET, np.array([x + 1j * base, x + SCALE_BAR + 1j * base])))
+    for end in (x, x + SCALE_BAR):
+        lines.append(Line(SHEET, np.array([end + 1j * (base - 1), end + 1j * (base + 1)])))
+    texts.append(Text(SHEET, f"{SCALE_BAR:g} mm", complex(x + SCALE_BAR / 2, base + 2.6), 0.0, 2.2))
+    for layer in (VALLEY, MOUNTAIN, CUT):
+        x -= 30
+        lines.append(Line(layer, np.array([x + 1j * base, x + 9 + 1j * base])))
+        left_aligned(layer, x + 10.5, 2.2)
+    room = (x - MARGIN - 4) / (_TEXT_WIDTH * 2.6)
+    sheet = f"  {number}/{count}"
+    keep = max(int(room) - len(sheet), 0)
+    short = title if len(title) <= keep else title[: max(keep - 2, 0)] + ".."
+    left_aligned(short + sheet, MARGIN, 2.6)
+    return lines, texts

@@ -1,0 +1,179 @@
+"""HingeSet: parametric, valid solids, cheap Deployment, warnings and refusals."""
+
+import re
+
+import FreeCAD as App
+import pytest
+
+from BistableWB import make
+
+PITCH, GAP = 1.8, 0.6
+SHORT = [(0, 0, 0), (40, 60, 0), (90, 60, 0), (130, 0, 0)]
+
+
+@pytest.fixture
+def tube(doc, valid):
+    """A short tube of a few thick units."""
+    curve = make.make_curve(doc, points=SHORT)
+    triangles = make.make_triangle_placement(doc, curve, edge_length=60)
+    unit = make.make_bistable_unit(doc, triangles)
+    hinges = make.make_hinge_set(doc, unit)
+    valid(doc)
+    return triangles, unit, hinges
+
+
+def single(doc, **options):
+    unit = make.make_bistable_unit(doc, theta=45, ratio=0.42, edge_length=60)
+    for name, value in options.items():
+        setattr(unit, name, value)
+    return unit, make.make_hinge_set(doc, unit)
+
+
+def test_whole_tube_in_one_stack(doc, tube):
+    triangles, _, hinges = tube
+    n = triangles.Count
+    assert triangles.Thickness.Value == pytest.approx(PITCH)
+    assert n >= 3
+    assert hinges.BodyCount == 15 * n - (n - 1) == len(hinges.Shape.Solids)
+    assert len(set(hinges.BodyNames)) == hinges.BodyCount
+    assert hinges.PrintSize.z == pytest.approx(n * 4 * PITCH - GAP, abs=1e-6)
+    assert hinges.Shape.BoundBox.ZMin == pytest.approx(0, abs=1e-6)
+    assert all(solid.isValid() and solid.isClosed() for solid in hinges.Shape.Solids)
+    assert hinges.DeployedMisfit.Value < 1e-6
+    assert hinges.CurveDeviation.Value < 1e-3
+
+
+def test_deployment_moves_the_same_solids(doc, tube, valid):
+    _, _, hinges = tube
+    model = hinges.Proxy.model(hinges)
+    volumes = [solid.Volume for solid in hinges.Shape.Solids]
+    hinges.Deployment = 1
+    valid(doc)
+    assert hinges.Proxy.model(hinges) is model  # nothing was made again
+    assert [s.Volume for s in hinges.Shape.Solids] == pytest.approx(volumes, rel=1e-9)
+    assert hinges.DeployedSize.x > 100
+    hinges.Deployment = 0.4
+    valid(doc)
+    assert hinges.Proxy.model(hinges) is model
+
+
+def test_deployed_tube_stands_on_its_zero_thickness_faces(doc, tube, valid):
+    _, unit, hinges = tube
+    hinges.Deployment = 1
+    valid(doc)
+    thin, thick = unit.Shape.BoundBox, hinges.Shape.BoundBox
+    for name in ("XMin", "YMin", "ZMin"):
+        assert getattr(thick, name) < getattr(thin, name) + 4
+        assert getattr(thick, name) > getattr(thin, name) - 8
+
+
+def test_upstream_change_makes_it_anew(doc, tube, valid):
+    triangles, _, hinges = tube
+    before = hinges.BodyCount
+    triangles.EdgeLength = 75
+    valid(doc)
+    assert hinges.BodyCount != before
+    assert hinges.BodyCount == 15 * triangles.Count - (triangles.Count - 1)
+
+
+def test_on_edge_stands_on_the_bed(doc, tube, valid):
+    _, _, hinges = tube
+    flat = hinges.PrintSize
+    hinges.Orientation = "OnEdge"
+    valid(doc)
+    assert hinges.Shape.BoundBox.ZMin == pytest.approx(0, abs=1e-6)
+    assert sorted(hinges.PrintSize) == pytest.approx(sorted(flat), abs=1e-6)
+    assert hinges.PrintSize.x == pytest.approx(flat.z)
+
+
+def test_single_spherical_unit(doc, valid):
+    _, hinges = single(doc, Omega=80, RatioRule="Exact")
+    valid(doc)
+    assert hinges.BodyCount == 15
+    assert hinges.DeployedMisfit.Value < 1e-6
+    hinges.Deployment = 1
+    valid(doc)
+
+
+def test_without_compensation_it_does_not_close(doc, valid):
+    _, hinges = single(doc)
+    hinges.Compensate = False
+    valid(doc)
+    assert hinges.DeployedMisfit.Value > 0.3
+
+
+def test_thickness_missing_in_the_placement_is_a_warning_with_a_cure(doc, tube, valid):
+    triangles, _, hinges = tube
+    triangles.Thickness = 0
+    valid(doc)
+    assert any("set Thickness of" in w and "1.8 mm" in w for w in hinges.Warnings)
+    triangles.Thickness = PITCH
+    valid(doc)
+    assert not any("strays" in w for w in hinges.Warnings)
+
+
+def test_preset_of_the_paper(doc, valid):
+    unit = make.make_bistable_unit(doc, theta=45, ratio=0.42, edge_length=60)
+    hinges = make.make_hinge_set(doc, unit, preset="Hinge9")
+    assert hinges.Segmentations == 5
+    assert hinges.GapBetweenPlanes.Value == pytest.approx(0.6)
+    with pytest.raises(ValueError, match="Preset 'Hinge0' is unknown"):
+        make.make_hinge_set(doc, unit, preset="Hinge0")
+
+
+CASES = [
+    ({"Unit": None}, "Unit is empty: choose"),
+    ({"Segmentations": 4}, "Segmentations is 4.*odd"),
+    ({"Segmentations": 1}, "Segmentations is 1.*3"),
+    ({"GapLength": 0.1}, "GapLength.*below the layer height"),
+    ({"GapBetweenPlanes": 0.1}, "GapBetweenPlanes.*below the layer height"),
+    ({"FaceThickness": 0}, "FaceThickness is 0"),
+    ({"FaceThickness": 0.5}, "cones.*FaceThickness"),
+    ({"Pivot": "Pin", "NozzleDiameter": 0.6}, "pin|wall"),
+    ({"ConeAngle": 30}, "ConeAngle is 30.*45"),
+    ({"LayerHeight": 0}, "LayerHeight is 0"),
+    ({"Deployment": float("nan")}, "Deployment is nan"),
+]
+
+
+@pytest.mark.parametrize(("values", "words"), CASES)
+def test_refusal_and_recovery(doc, valid, refused, values, words):
+    _, hinges = single(doc)
+    valid(doc)
+    before = {key: getattr(hinges, key) for key in values}
+    for key, value in values.items():
+        setattr(hinges, key, value)
+    sentence = refused(doc, hinges)
+    assert re.search(words, sentence), sentence
+    assert len(hinges.Shape.Solids) == 15  # nothing is lost
+    for key, value in before.items():
+        setattr(hinges, key, value)
+    valid(doc)
+
+
+def test_unit_too_small_for_the_hinge_is_named(doc, refused):
+    unit, hinges = single(doc)
+    unit.EdgeLength = 16
+    assert re.search("EdgeLength|HeightRatio|Segmentations", refused(doc, hinges))
+
+
+def test_layer_quantisation_is_a_warning_with_the_nearest_values(doc, valid):
+    _, hinges = single(doc)
+    hinges.FaceThickness, hinges.LayerHeight = 1.25, 0.3
+    valid(doc)
+    assert any("1.2 or 1.5 mm" in w for w in hinges.Warnings)
+
+
+def test_saved_and_reopened(doc, valid, tmp_path):
+    _, hinges = single(doc)
+    valid(doc)
+    path = tmp_path / "hinges.FCStd"
+    doc.saveAs(str(path))
+    App.closeDocument(doc.Name)
+    again = App.openDocument(str(path))
+    hinges = again.getObject("HingeSet")
+    assert len(hinges.Shape.Solids) == 15
+    hinges.Deployment = 1
+    valid(again)
+    assert hinges.DeployedSize.y > 40
+    App.closeDocument(again.Name)
