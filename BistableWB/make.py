@@ -3,8 +3,8 @@
 
 import FreeCAD as App
 
-from .objects import proxy_class
-from .objects.base import make_object
+from .objects import TYPES, proxy_class
+from .objects.base import make_object, repair_object
 
 
 def make_curve(doc, points=None, source=None, kind="Plane", sphere_radius=None, name="Curve"):
@@ -69,6 +69,21 @@ def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
     if triangles is not None and triangles.Thickness.Value == 0:
         triangles.Thickness = hinge_parameters(obj).pitch
     return obj
+
+
+def repair(doc):
+    """Give objects of ours that lost their proxies (a save without the workbench) these back.
+
+    Returns the objects that needed it; the document is recomputed if there are any.
+    """
+    repaired = [
+        obj
+        for obj in doc.Objects
+        if repair_object(obj, lambda name: proxy_class(name) if name in TYPES else None)
+    ]
+    if repaired:
+        doc.recompute()
+    return repaired
 
 
 def _make(doc, type_name, name):

@@ -63,6 +63,10 @@ class BistableObject:
         self.migrate(obj, getattr(obj, "BistableVersion", 0))
         self.ensure_properties(obj)
         obj.BistableVersion = VERSION
+        if App.GuiUp:  # the file may have been made without a window
+            from ..viewproviders import attach_missing
+
+            attach_missing(obj)
 
     def migrate(self, obj, version):
         """Bring an object of an older ``version`` up to date. Nothing to do since version 1."""
@@ -126,3 +130,25 @@ def make_object(doc, type_name, name, proxy_class):
 
         attach(obj.ViewObject, type_name)
     return obj
+
+
+def repair_object(obj, classes):
+    """Give ``obj`` its proxy and view provider back; True if it needed that.
+
+    ``classes(type name)`` → class of the proxy, None for objects that are not ours. FreeCAD loses
+    the proxies of a file that is saved where the workbench is missing.
+    """
+    type_name = getattr(obj, "BistableType", "")
+    kind = classes(type_name)
+    if kind is None:
+        return False
+    lost = getattr(obj.Proxy, "Type", "") != type_name
+    if lost:
+        obj.Proxy = kind.__new__(kind)
+        obj.Proxy.onDocumentRestored(obj)
+        obj.touch()
+    if App.GuiUp:
+        from ..viewproviders import attach_missing
+
+        return attach_missing(obj) or lost
+    return lost

@@ -9,7 +9,7 @@ VOLUME_TOLERANCE = 1e-3
 
 
 def at(plan_point, height):
-    """Vector of a unit's flat frame from a plan point (x + i z) and a height along the stack (mm)."""
+    """Vector of a unit's flat frame from a plan point (x + i z) and a height (mm)."""
     return Vector(plan_point.real, height, plan_point.imag)
 
 

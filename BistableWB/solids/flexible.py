@@ -30,13 +30,11 @@ def finger_solid(finger):
 
 def fingers_in(strips, plate_name):
     """Prisms of all fingers that reach into one plate."""
-    return [
-        finger_solid(f) for strip in strips.values() for f in strip.fingers.get(plate_name, ())
-    ]
+    return [finger_solid(f) for strip in strips.values() for f in strip.fingers.get(plate_name, ())]
 
 
 def with_pockets(shape, fingers, volume, name):
-    """A panel (or block) less the fingers: the complementary body. ``volume`` is the predicted one."""
+    """A panel or block less the fingers: the complementary body, of the predicted ``volume``."""
     if not fingers:
         return shape
     return one_solid(shape.cut(Part.makeCompound(fingers)), volume, name)

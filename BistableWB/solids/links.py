@@ -5,18 +5,19 @@ Section (n outwards, away from the panels; v along the stack): a barrel on each 
 them, and outside the reach of the panels' knuckles a spine that makes all dogbones one body.
 """
 
+from itertools import pairwise
 from math import sqrt
 
+from ..origami import plan
 from ..origami.hinge_plan import link_section
-from ..origami.hinge_parameters import PIN
 from . import brep
-from .plates import cone_features, pin_features
+from .plates import pivot_features
 
 
 def link_solid(link, parameters, volume):
     """Solid of one `Link` in the unit's flat frame; ``volume`` is the predicted one (mm³)."""
     indices = range(1, len(link.hinges[0].segments), 2)
-    faces, before = [], None
+    faces, before, last_holes = [], None, None
     for index in indices:
         start, end = (_Section(link, parameters, index, k) for k in (0, 1))
         holes, features = _features(link, parameters, index)
@@ -43,13 +44,16 @@ def sweep(first, second):
 
 
 def _features(link, parameters, index):
-    """Hole radius and centre of both axes at both ends of a dogbone, and the faces in them."""
+    """Holes of both axes at both ends of a dogbone, and the faces of what is in them.
+
+    They point along the mean line, so that they lie in the section where the axes of a general
+    unit are not quite parallel.
+    """
     holes, faces = ([], []), []
-    make = pin_features if parameters.pivot == PIN else cone_features
+    axis = brep.at(plan.unit(sum(hinge.direction for hinge in link.hinges)), 0.0)
     for hinge in link.hinges:
-        axis = brep.at(hinge.direction, 0.0)
         centres = [brep.at(hinge.point(s), hinge.height) for s in hinge.segments[index]]
-        radii, more = make(hinge, parameters, index, centres, axis)
+        radii, more = pivot_features(hinge, parameters, index, centres, axis)
         faces += more
         for k in (0, 1):
             holes[k].append(brep.circle(radii[k], centres[k], axis))
@@ -102,7 +106,7 @@ class _Section:
     def _back(self):
         p, clear, outer = self.point, self.size.clear, self.size.outer
         corners = [p(1, clear, 0), p(1, outer, 0), p(0, outer, 0), p(0, clear, 0)]
-        return [brep.line(a, b) for a, b in zip(corners, corners[1:], strict=False)]
+        return [brep.line(a, b) for a, b in pairwise(corners)]
 
     def _hollow(self):
         p, clear, inner = self.point, self.size.clear, self.size.inner

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Panels with their knuckles: the plate, a "J" for each knuckle, cones or pins (``hinges.md`` 2)."""
+"""Panels with their knuckles: plate, a "J" for each knuckle, cones or pins (``hinges.md`` 2)."""
 
 from math import copysign, sqrt
 
-from ..origami.hinge_plan import Tab
 from ..origami.hinge_parameters import PIN
+from ..origami.hinge_plan import Tab
 from . import brep
 
 
@@ -79,8 +79,7 @@ def _knuckle_faces(tab, side, parameters):
     wires = [_profile(tab, k, side, parameters) for k in (0, 1)]
     faces = [wires[0][0].extrude(axis * (end - start))]
     centres = [brep.at(tab.hinge.point(s), tab.hinge.height) for s in (start, end)]
-    features = (_pin_features if parameters.pivot == PIN else _cone_features)(tab.hinge, parameters)
-    radii, more = features(tab.index, centres, axis)
+    radii, more = pivot_features(tab.hinge, parameters, tab.index, centres, axis)
     for edges, centre, radius in zip(wires, centres, radii, strict=True):
         wire = brep.Part.Wire(edges)
         faces.append(
@@ -109,25 +108,18 @@ def _profile(tab, end, side, parameters):
     ]
 
 
-def _cone_features(hinge, parameters):
-    """Function (index, end centres, axis) → (hole radii at both ends, extra faces)."""
-    return lambda index, centres, axis: cone_features(hinge, parameters, index, centres, axis)
+def pivot_features(hinge, parameters, index, centres, axis):
+    """What makes knuckle ``index`` of a hinge turn: (hole radii in both its end faces, faces).
+
+    ``centres``: of its end faces; ``axis``: unit vector along the hinge.
+    """
+    make = _pin_features if parameters.pivot == PIN else _cone_features
+    return make(hinge, parameters, index, centres, axis)
 
 
-def _pin_features(hinge, parameters):
-    return lambda index, centres, axis: pin_features(hinge, parameters, index, centres, axis)
-
-
-def cone_tip_radius(hinge, parameters):
-    """Radius (mm) of the blunt tip of a hinge's cones."""
-    from math import tan
-
-    return parameters.cone_base - hinge.cone_height / tan(parameters.cone_angle)
-
-
-def cone_features(hinge, parameters, index, centres, axis):
+def _cone_features(hinge, parameters, index, centres, axis):
     """Recess at the start of a knuckle and cone at its end, except at the ends of the hinge."""
-    base, tip = parameters.cone_base, cone_tip_radius(hinge, parameters)
+    base, tip = parameters.cone_base, parameters.tip_radius(hinge.cone_height)
     has = index > 0, index < len(hinge.segments) - 1
     faces = []
     for present, centre in zip(has, centres, strict=True):
@@ -136,7 +128,7 @@ def cone_features(hinge, parameters, index, centres, axis):
     return [base if present else 0.0 for present in has], faces
 
 
-def pin_features(hinge, parameters, index, centres, axis):
+def _pin_features(hinge, parameters, index, centres, axis):
     """Pin from an even knuckle through the next ring, or the bore of an odd knuckle (a ring)."""
     radius = parameters.pin_radius
     start, end = hinge.segments[index]

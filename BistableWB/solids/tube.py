@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A whole tube as it is printed: flat-folded units on each other, contact panels joined in blocks."""
+"""A whole tube as it is printed: flat-folded units on each other, joined by blocks."""
 
 from typing import NamedTuple
 
@@ -13,9 +13,9 @@ from ..origami.hinge_parameters import FLEXIBLE
 from ..origami.hinge_volume import plate_volume
 from ..origami.strip_plan import pocket_volume, strips
 from . import brep
+from .cache import BodyCache
 from .flexible import fingers_in, strip_solid, with_pockets
 from .plates import plate_faces
-from .cache import BodyCache
 
 # The part of a block between its two panels ends this far (mm) inside both.
 BLOCK_INSET = 0.1
@@ -104,7 +104,7 @@ def tube_layouts(thick, parameters, notes=None):
     layouts = []
     for k, axes in enumerate(np.asarray(thick.axes).reshape(-1, *np.shape(thick.axes)[-3:])):
         try:
-            layouts.append(unit_layout(axes, parameters))
+            layouts.append(unit_layout(axes, parameters, thick.unit.edge_length))
         except ValueError as error:
             raise ValueError(f"Unit {k + 1}: {error}") from error
         if notes is not None:
@@ -122,7 +122,8 @@ def _block(layouts, places, contacts, k, parameters):
     below, above = layouts[k].plates[contacts[k][1]], layouts[k + 1].plates[contacts[k + 1][0]]
     to_print = places[k], places[k + 1]
     cores = [
-        _in_print_plan(plate.core, place) for plate, place in zip((below, above), to_print, strict=True)
+        in_print_plan(plate.core, place)
+        for plate, place in zip((below, above), to_print, strict=True)
     ]
     filler = plan.intersection(*cores, inset=BLOCK_INSET)
     if not filler:
@@ -135,7 +136,7 @@ def _block(layouts, places, contacts, k, parameters):
             found = strips(layout, parameters)
             fingers += [moved(f, place) for f in fingers_in(found, plate.name)]
             taken += pocket_volume(plate, found)
-        hole = _in_unit_plan(filler, place)
+        hole = in_unit_plan(filler, place)
         outer = 1 if plate.height > 0 else -1
         own = plate_faces(plate, parameters, hole, outer)
         faces += moved(Part.makeCompound(own), place).Faces
@@ -151,14 +152,14 @@ def _block(layouts, places, contacts, k, parameters):
     return Body(name, shape, k, ((k, contacts[k][1]), (k + 1, contacts[k + 1][0])))
 
 
-def _in_print_plan(points, place):
+def in_print_plan(points, place):
     """Plan points (x + i z of the unit) as x + i y of the print frame, counter-clockwise."""
     flat = np.array([[p.real, 0.0, p.imag, 1.0] for p in points]) @ place.T
     moved_points = [complex(x, y) for x, y in flat[:, :2]]
     return moved_points if plan.area(moved_points) > 0 else moved_points[::-1]
 
 
-def _in_unit_plan(points, place):
+def in_unit_plan(points, place):
     """Points x + i y of the print frame as plan points x + i z of the unit."""
     flat = np.array([[p.real, p.imag, 0.0, 1.0] for p in points]) @ np.linalg.inv(place).T
     return [complex(x, z) for x, z in flat[:, [0, 2]]]

@@ -95,6 +95,22 @@ def test_missing_properties_are_added_to_an_old_file(doc, valid, tmp_path):
     App.closeDocument(again.Name)
 
 
+def test_repair_gives_lost_proxies_back(doc, valid):
+    """What a save on a FreeCAD without the workbench leaves: no proxies, all properties."""
+    curve, triangles, unit = chain(doc)
+    valid(doc)
+    before = numbers(doc)
+    for obj in (curve, unit):
+        obj.Proxy = None
+    assert make.repair(doc) == [curve, unit]
+    valid(doc)
+    same(before, numbers(doc))
+    assert make.repair(doc) == []
+    curve.Points = MOVED
+    valid(doc)
+    assert numbers(doc) != before
+
+
 def test_file_of_freecad_0_20_opens_here(valid, tmp_path):
     path = shutil.copy(DATA / "chain-0.20.2.FCStd", tmp_path)
     old = reopened(path)

@@ -7,7 +7,7 @@ from pathlib import Path
 import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "build" / "screenshots"
 
@@ -25,9 +25,9 @@ def pump(seconds=0.05):
 
 @pytest.fixture(scope="session")
 def workbench():
-    """The workbench, activated in a window of known size with tree and properties shown."""
+    """The workbench, activated in a window that fills the screen, with tree and properties."""
     window = Gui.getMainWindow()
-    window.setGeometry(0, 0, 1400, 900)
+    window.showFullScreen()
     Gui.activateWorkbench("BistableWorkbench")
     pump(0.5)
     return Gui.activeWorkbench()
@@ -35,7 +35,7 @@ def workbench():
 
 @pytest.fixture
 def gui(workbench):
-    """`pump`, with the workbench active, no document open and nothing left open afterwards."""
+    """`pump`, with the workbench active, no document open, and nothing left open afterwards."""
     close_documents()
     yield pump
     close_documents()
@@ -45,46 +45,56 @@ def close_documents():
     """Close every document without asking."""
     for name in list(App.listDocuments()):
         App.closeDocument(name)
+    for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
+        if dock.windowTitle() == "Report view":
+            dock.findChild(QtGui.QTextEdit).clear()
+            dock.hide()
     pump()
 
 
 @pytest.fixture
-def screenshot(request):
-    """``screenshot(name, widget=None)`` writes build/screenshots/VERSION/name.png."""
+def screenshot():
+    """``screenshot(name)`` writes build/screenshots/VERSION/name.png of the whole screen."""
     folder = SCREENSHOTS / ".".join(App.Version()[:2])
     folder.mkdir(parents=True, exist_ok=True)
 
-    def write(name, widget=None):
-        pump(1.0)
-        path = folder / f"{name}.png"
-        picture = (widget or Gui.getMainWindow()).grab()
-        if widget is None:
-            _paint_view(picture)
-        assert picture.save(str(path))
+    def write(name):
+        pump(0.5)
+        _show_tree()
+        pump(0.5)
+        picture = QtGui.QApplication.primaryScreen().grabWindow(0)
+        assert picture.save(str(folder / f"{name}.png"))
         return picture.toImage()
 
     return write
 
 
-def _paint_view(picture):
-    """Put the 3D view into ``picture``: an OpenGL surface is not part of a widget's grab."""
+def _show_tree():
+    """Bring the model's tree to the front and open all its branches."""
     window = Gui.getMainWindow()
-    for area in window.findChildren(QtGui.QMdiArea):
-        view = area.activeSubWindow()
-        if view is None or Gui.ActiveDocument is None:
-            continue
-        surface = next((w for w in view.findChildren(QtGui.QWidget) if _is_gl(w)), None)
-        if surface is None:
-            continue
-        size = surface.size()
-        file = SCREENSHOTS / "view.png"
-        Gui.ActiveDocument.ActiveView.saveImage(str(file), size.width(), size.height(), "Current")
-        corner = surface.mapTo(window, QtCore.QPoint(0, 0))
-        painter = QtGui.QPainter(picture)
-        painter.drawImage(corner, QtGui.QImage(str(file)))
-        painter.end()
-        file.unlink()
+    for tabs in window.findChildren(QtGui.QTabBar):
+        for index in range(tabs.count()):
+            if tabs.tabText(index) == "Model":
+                tabs.setCurrentIndex(index)
+    for tree in window.findChildren(QtGui.QTreeWidget):
+        if tree.inherits("Gui::TreeWidget"):
+            tree.expandAll()
 
 
-def _is_gl(widget):
-    return widget.inherits("QOpenGLWidget") or widget.inherits("QGLWidget")
+def view_colours(path, size=(700, 500)):
+    """Colours in the 3D view as a list of (red, green, blue) of its pixels."""
+    pump(0.3)
+    Gui.ActiveDocument.ActiveView.saveImage(str(path), *size, "White")
+    image = QtGui.QImage(str(path))
+    assert not image.isNull()
+    return [
+        image.pixelColor(x, y).getRgb()[:3]
+        for x in range(0, image.width(), 2)
+        for y in range(0, image.height(), 2)
+    ]
+
+
+@pytest.fixture
+def pixels(tmp_path):
+    """``pixels()``: what the 3D view shows, on white, as a list of (red, green, blue)."""
+    return lambda: view_colours(tmp_path / "view.png")

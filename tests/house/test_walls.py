@@ -23,12 +23,13 @@ MAY_IMPORT = {
     "origami": {"origami"},
     "solids": {"origami", "solids"},
     "checks": {"BistableWB", "origami", "solids", "checks"},
-    "objects": {"BistableWB", "origami", "solids", "checks", "objects"},
-    "exporters": {"BistableWB", "origami", "solids", "checks", "objects", "exporters"},
+    "colours": set(),
+    "objects": {"BistableWB", "origami", "solids", "checks", "colours", "objects"},
+    "exporters": {"BistableWB", "origami", "solids", "checks", "colours", "objects", "exporters"},
 }
 # Parts that are not named here may import every part but the GUI's.
 # These know no GUI at all, not even inside a function.
-NEVER_GUI = {"origami", "solids", "checks"}
+NEVER_GUI = {"origami", "solids", "checks", "colours"}
 
 
 class Import(NamedTuple):

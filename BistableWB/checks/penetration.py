@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How deep bodies run into each other, measured on their meshes.
+
+Depth of an overlap: how far the surface of one body lies below the surface of the other, at most.
+It is 0 for bodies that only touch. Where the surfaces cross, the edges of one body pass through the
+triangles of the other; the parts of them that lie inside are followed, and their depth measured.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..solids.mesh import half_edges
+from . import triangles
+
+_SAMPLES = np.array([0.02, 0.25, 0.5, 0.75, 0.98])  # of a part of an edge that lies inside
+_TOUCH = 1e-6  # mm within which bounds of triangles that may cross are looked for
+
+
+class Penetrations(NamedTuple):
+    """``pairs`` (m, 2) of bodies that overlap, ``depths`` (m,) mm, and ``points`` (m, 3) where."""
+
+    pairs: np.ndarray
+    depths: np.ndarray
+    points: np.ndarray
+
+
+def penetrations(scene, pairs=None):
+    """`Penetrations` of the bodies of a `Scene`; ``pairs`` (m, 2): those to look at, or all."""
+    near = scene.body_pairs(_TOUCH) if pairs is None else np.asarray(pairs, int).reshape(-1, 2)
+    hits = _hits(scene, near)
+    found = []
+    for k, (a, b) in enumerate(near.tolist()):
+        inside = [_inside(scene, hits, k, side, body) for side, body in ((0, a), (1, b))]
+        depths = [
+            _deepest(scene.meshes[other], points, crossings)
+            for (points, crossings), other in zip(inside, (b, a), strict=True)
+        ]
+        if not len(inside[0][1]) and not len(inside[1][1]):
+            depths = [_swallowed(scene, a, b), _swallowed(scene, b, a)]
+        depth, point = max(depths, key=lambda entry: entry[0])
+        if depth > 0:
+            found.append((a, b, depth, point))
+    return Penetrations(
+        np.array([entry[:2] for entry in found], int).reshape(-1, 2),
+        np.array([entry[2] for entry in found], float),
+        np.array([entry[3] for entry in found], float).reshape(-1, 3),
+    )
+
+
+class _Hits(NamedTuple):
+    """Edges through triangles: pair, side of the edge's body, its half-edge, fraction, way in."""
+
+    pair: np.ndarray
+    side: np.ndarray
+    edge: np.ndarray
+    share: np.ndarray
+    enters: np.ndarray
+
+
+def _hits(scene, pairs):
+    which, first, second = scene.near_triangles(pairs, _TOUCH)
+    found = []
+    for k in range(0, len(which), 1 << 15):
+        part = slice(k, k + (1 << 15))
+        for side, one, other in ((0, first[part], second[part]), (1, second[part], first[part])):
+            above = scene.corners[one] - scene.corners[other][:, :1]
+            above = np.matmul(above, scene.normals[other][:, :, None])[..., 0]
+            rows = np.flatnonzero(
+                (triangles.least_of_three(above) <= 0) & (triangles.most_of_three(above) >= 0)
+            )
+            one, other = one[rows], other[rows]
+            hit, share, enters = triangles.edges_through(scene.corners[one], scene.corners[other])
+            row, corner = np.nonzero(hit)
+            edge = 3 * one[row] + corner
+            found.append((which[part][rows][row], np.full(len(row), side), edge, share[hit],
+                          enters[hit]))  # fmt: skip
+    if not found:
+        return _Hits(*(np.zeros(0, t) for t in (int, int, int, float, bool)))
+    return _Hits(*(np.concatenate(column) for column in zip(*found, strict=True)))
+
+
+def _inside(scene, hits, pair, side, body):
+    """Points (n, 3) of a body's edges that lie inside the other one, and where edges enter it."""
+    rows = np.flatnonzero((hits.pair == pair) & (hits.side == side))
+    mesh = scene.meshes[body]
+    local = hits.edge[rows] - 3 * scene.offset[body]
+    ends = half_edges(mesh.triangles)[local]
+    single = ends[:, 0] < ends[:, 1]  # every edge is met twice, once each way
+    rows, local, ends = rows[single], local[single], ends[single]
+    if not len(rows):
+        return np.zeros((0, 3)), np.zeros((0, 3))
+    share, enters = hits.share[rows], hits.enters[rows]
+    order = np.lexsort((share, local))
+    local, ends, share, enters = local[order], ends[order], share[order], enters[order]
+    first = np.diff(local, prepend=-1) > 0
+    last = np.append(first[1:], True)
+    # The part before every crossing that leads out, and after the last one that leads in.
+    before = np.where(first, 0.0, np.roll(share, 1))
+    out, on = ~enters, last & enters
+    low = np.concatenate([before[out], share[on]])
+    high = np.concatenate([share[out], np.ones(on.sum())])
+    tails = np.concatenate([ends[out], ends[on]])
+    start, end = mesh.vertices[tails[:, 0]], mesh.vertices[tails[:, 1]]
+    shares = low[:, None] + (high - low)[:, None] * _SAMPLES
+    samples = start[:, None] + shares[..., None] * (end - start)[:, None]
+    seeds = np.concatenate([ends[first & ~enters][:, 0], ends[on][:, 1]])
+    corners = mesh.vertices[_connected(mesh, seeds, ends)]
+    crossings = mesh.vertices[ends[:, 0]] * (1 - share[:, None])
+    crossings = crossings + mesh.vertices[ends[:, 1]] * share[:, None]
+    return np.concatenate([samples.reshape(-1, 3), corners]), crossings
+
+
+def _connected(mesh, seeds, crossed):
+    """Vertices that hang together with ``seeds`` by edges that are not ``crossed``."""
+    reached = np.zeros(len(mesh.vertices), bool)
+    reached[seeds] = True
+    if not reached.any():
+        return np.zeros(0, int)
+    edges = half_edges(mesh.triangles)
+    edges = edges[edges[:, 0] < edges[:, 1]]
+    count = len(mesh.vertices)
+    edges = edges[~np.isin(edges @ [count, 1], crossed @ [count, 1])]
+    while True:
+        touched = reached[edges[:, 0]] != reached[edges[:, 1]]
+        if not touched.any():
+            return np.flatnonzero(reached)
+        reached[edges[touched].ravel()] = True
+
+
+def _deepest(mesh, points, crossings):
+    """(depth, point): the largest distance from a mesh of ``points`` inside it."""
+    if not len(points) or not len(crossings):
+        return 0.0, np.full(3, np.nan)
+    # No point is deeper than its distance to the nearest crossing.
+    gap = points[:, None] - crossings[None, :: max(1, len(crossings) // 64)]
+    bound = np.sqrt((gap**2).sum(-1).min(1))
+    corners = mesh.corners
+    low, high = corners.min(1), corners.max(1)
+    deepest, where = 0.0, points[0]
+    for k in np.argsort(-bound):
+        if bound[k] <= deepest + 1e-6:
+            break
+        point = points[k]
+        beside = np.maximum(np.maximum(low - point, point - high), 0)
+        near = corners[(beside**2).sum(1) <= bound[k] ** 2 + 1e-12]
+        if not len(near):
+            continue
+        square = triangles.points_to_triangles(np.repeat(point[None], len(near), 0), near)
+        depth = float(np.sqrt(square.min()))
+        if depth > deepest:
+            deepest, where = depth, point
+    return deepest, where
+
+
+def _swallowed(scene, inner, outer):
+    """(depth, point) where one body lies inside another without meeting its surface."""
+    small, large = scene.meshes[inner], scene.meshes[outer]
+    box, around = small.bounds, large.bounds
+    if (box[0] < around[0]).any() or (box[1] > around[1]).any():
+        return 0.0, np.full(3, np.nan)
+    point = small.vertices[0]
+    if _winding(large, point) < 0.5:
+        return 0.0, np.full(3, np.nan)
+    return float(np.min(around[1] - around[0])), point
+
+
+def _winding(mesh, point):
+    """Winding number of a mesh about a point: 1 inside, 0 outside."""
+    a, b, c = np.moveaxis(mesh.corners - point, 1, 0)
+    lengths = [np.linalg.norm(v, axis=1) for v in (a, b, c)]
+    above = triangles.dot(a, triangles.cross(b, c))
+    below = lengths[0] * lengths[1] * lengths[2]
+    below += triangles.dot(a, b) * lengths[2] + triangles.dot(b, c) * lengths[0]
+    below += triangles.dot(c, a) * lengths[1]
+    return float(np.arctan2(above, below).sum() / (2 * np.pi))

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that open what comes with the workbench: examples and help."""
+
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import EXAMPLES, RESOURCES, design
+from .base import QT_TRANSLATE_NOOP, Command, fit_view, quoted, translate
+
+_HELP = RESOURCES / "help" / "index.md"
+
+
+class OpenExample(Command):
+    """A menu of the design files in resources/examples."""
+
+    name = "Bistable_OpenExample"
+    icon = "OpenExample"
+    text = QT_TRANSLATE_NOOP("Bistable_OpenExample", "Open example")
+    tip = QT_TRANSLATE_NOOP(
+        "Bistable_OpenExample", "Make one of the example tubes in a document of its own"
+    )
+
+    def run(self):
+        """Show the names of the examples at the mouse; the chosen one is made."""
+        self.menu = QtGui.QMenu(Gui.getMainWindow())
+        for path in examples():
+            action = self.menu.addAction(design.read(path).title)
+            action.triggered.connect(lambda checked=False, path=path: make_example(path))
+        self.menu.popup(QtGui.QCursor.pos())
+
+
+def examples():
+    """Paths of the design files that come with the workbench."""
+    return sorted(EXAMPLES.glob("*.toml"))
+
+
+def make_example(path):
+    """Make the example ``path``, a design file of ours, in a new document, and show it."""
+    name = path.stem.title().replace("-", "")
+    Gui.doCommand("from BistableWB import EXAMPLES, design, produce")
+    Gui.doCommand(f"doc = App.newDocument({quoted(name)})")
+    Gui.doCommand(f"produce.build(doc, design.read(EXAMPLES / {quoted(path.name)}))")
+    fit_view(isometric=True)
+
+
+class ShowHelp(Command):
+    """The help page in a window of its own."""
+
+    name = "Bistable_Help"
+    icon = "Help"
+    text = QT_TRANSLATE_NOOP("Bistable_Help", "Bistable help")
+    tip = QT_TRANSLATE_NOOP("Bistable_Help", "Show how to get from a curve to a printed tube")
+
+    def run(self):
+        """Show the page; a second call brings it to the front."""
+        window = getattr(self, "window", None)
+        if window is None:
+            self.window = window = _help_window()
+        window.show()
+        window.raise_()
+
+
+def _help_window():
+    window = QtGui.QDialog(Gui.getMainWindow())
+    window.setObjectName("BistableHelp")
+    window.setWindowTitle(translate("Bistable_Help", "Bistable workbench: help"))
+    window.resize(640, 720)
+    browser = QtGui.QTextBrowser(window)
+    browser.setOpenExternalLinks(True)
+    browser.setSearchPaths([str(_HELP.parent)])
+    browser.document().setDocumentMargin(16)
+    browser.setSource(QtCore.QUrl.fromLocalFile(str(_HELP)))
+    layout = QtGui.QVBoxLayout(window)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.addWidget(browser)
+    return window

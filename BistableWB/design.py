@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Design files: a TOML text becomes a checked `Design`, or one sentence that says what to change.
+
+Only the standard library: a design is checked before FreeCAD is started. The keys lie in
+`design_table`; what they become in a document, in `produce`.
+"""
+
+import difflib
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+from .design_table import SINGLE_UNIT, TABLES, BadValue, example_of
+
+MAX_BYTES = 1_000_000
+
+
+class DesignError(Exception):
+    """Bad input. The text is one sentence that names the file, the key and the cure."""
+
+
+@dataclass(frozen=True)
+class Design:
+    """A checked design: ``tables`` {table: {key: value}} as written, without defaults."""
+
+    path: Path
+    text: str
+    tables: dict
+
+    @property
+    def stem(self):
+        """Name of the design's folder and start of its files' names."""
+        return self.path.stem
+
+    @property
+    def title(self):
+        """Name for people."""
+        return self.tables.get("design", {}).get("name", self.stem)
+
+    def get(self, table, key, default=None):
+        """Value of ``key`` in ``[table]``, else ``default``."""
+        return self.tables.get(table, {}).get(key, default)
+
+
+def read(path):
+    """The `Design` in the file ``path``; `DesignError` where there is none."""
+    path = Path(path)
+    return check(path, _text(path))
+
+
+def check(path, text):
+    """`Design` of a TOML ``text`` that came from ``path``; `DesignError` with file, key, cure."""
+    try:
+        tables = tomllib.loads(text)
+    except RecursionError:
+        raise DesignError(f"{path}: nested too deeply; write tables of plain values.") from None
+    except ValueError as error:  # also integers of thousands of digits
+        raise DesignError(f"{path}: not valid TOML: {_lower(error)}; correct it there.") from None
+    if not tables:
+        raise DesignError(
+            f"{path}: the file is empty; add a table [curve] with points, or [unit] with theta."
+        )
+    for name, values in tables.items():
+        _check_table(path, name, values)
+    tables = {
+        name: {key: _checked(path, name, key, value) for key, value in values.items()}
+        for name, values in tables.items()
+    }
+    _check_together(path, tables)
+    return Design(path, text, tables)
+
+
+def _text(path):
+    if path.suffix.lower() != ".toml":
+        raise DesignError(f"{path}: a design file ends in .toml; rename it or give another file.")
+    try:
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise DesignError(f"{path}: there is no such file; check its name and folder.") from None
+    except IsADirectoryError:
+        raise DesignError(f"{path}: this is a folder; give the design file in it.") from None
+    except OSError as error:
+        raise DesignError(f"{path}: cannot be read ({error.strerror}); check the file.") from None
+    if len(content) > MAX_BYTES:
+        raise DesignError(
+            f"{path}: the file is larger than {MAX_BYTES // 1000} kB; a design has a few lines, "
+            "give fewer control points."
+        )
+    try:
+        return content.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        raise DesignError(
+            f"{path}: line {line} is not UTF-8 text; save the file with the encoding UTF-8."
+        ) from None
+
+
+def _check_table(path, name, values):
+    if name not in TABLES:
+        what = f"table [{name}]" if isinstance(values, dict) else f"key {name} outside a table"
+        homes = [table for table, keys in TABLES.items() if name in keys]
+        cure = f"put it under [{homes[0]}]." if homes else _nearest(name, TABLES, "[{}]")
+        raise DesignError(f"{path}: unknown {what}; {cure}")
+    if not isinstance(values, dict):
+        raise DesignError(f"{path}: {name} must be a table; write [{name}] once on a line.")
+    for key in values:
+        if key not in TABLES[name]:
+            raise DesignError(f"{path}: [{name}] has an unknown key {key}; {_elsewhere(key, name)}")
+
+
+def _elsewhere(key, table):
+    near = difflib.get_close_matches(key, TABLES[table], 1, 0.75)
+    homes = [other for other, keys in TABLES.items() if key in keys]
+    if homes and not near:
+        return f"put it under [{homes[0]}]."
+    return _nearest(key, TABLES[table])
+
+
+def _nearest(name, known, form="{}"):
+    near = difflib.get_close_matches(name, known, 1, 0.5)
+    if near:
+        return f"did you mean {form.format(near[0])}?"
+    return "use one of " + ", ".join(form.format(k) for k in known) + "."
+
+
+def _checked(path, table, key, value):
+    entry = TABLES[table][key]
+    try:
+        return entry.kind(value, entry)
+    except BadValue as problem:
+        raise DesignError(f"{path}: [{table}] {key}{problem}.") from None
+
+
+def _check_together(path, tables):
+    """What one key alone cannot tell."""
+
+    def refuse(text):
+        raise DesignError(f"{path}: {text}.")
+
+    curve, unit = tables.get("curve"), tables.get("unit", {})
+    for key, rule in (("ratio", "Fixed"), ("ratio_share", "Adaptive")):
+        if key in unit and unit.get("ratio_rule", rule) != rule:
+            refuse(
+                f"[unit] {key} is not used by ratio_rule {unit['ratio_rule']}; remove it, or set "
+                f'ratio_rule = "{rule}"'
+            )
+    if "ratio" in unit and "ratio_share" in unit:
+        refuse("[unit] has both ratio and ratio_share; keep one")
+    if curve is None:
+        if "triangles" in tables:
+            refuse("[triangles] needs a curve; add a table [curve] with points")
+        if "theta" not in unit:
+            refuse("describes nothing; add a table [curve] with points, or theta under [unit]")
+        return
+    for key in SINGLE_UNIT:
+        if key in unit:
+            refuse(
+                f"[unit] {key} is for a single unit, a tube has it from its curve; remove it, or "
+                "remove the table [curve]"
+            )
+    if ("points" in curve) == ("source" in curve):
+        both = "both points and source; keep one" if "points" in curve else "neither points nor "
+        refuse(f"[curve] has {both}" + ("" if "points" in curve else "source; add points = "
+               + example_of("curve", "points")))  # fmt: skip
+    kind = curve.get("kind", "Plane")
+    if kind == "Sphere" and "sphere_radius" not in curve:
+        refuse("[curve] kind Sphere needs a sphere_radius; add sphere_radius = 150 (mm)")
+    for key, needed in (
+        ("sphere_radius", "Sphere"), ("sphere_center", "Sphere"),
+        ("ruling_kind", "General"), ("ruling", "General"),
+    ):  # fmt: skip
+        if key in curve and kind != needed:
+            refuse(f'[curve] {key} needs the kind {needed}; add kind = "{needed}" or remove {key}')
+
+
+def _lower(error):
+    """The text of a TOML error as the middle of a sentence."""
+    text = str(error).split(";")[0].rstrip(".")
+    return text[:1].lower() + text[1:]

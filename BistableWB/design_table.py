@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The keys of a design file: one table. To add a key, add a line here.
+
+A key has a kind (a function that checks and returns its value), the property of the document object
+that it sets (empty: it sets none), and limits, beyond which a value is a slip of the pen.
+"""
+
+import itertools
+import math
+from typing import Any, NamedTuple
+
+MAX_POINTS = 200
+MAX_LENGTH = 100_000.0  # mm
+MIN_LENGTH = 0.1
+
+
+class BadValue(Exception):
+    """Why a value cannot be: what follows the name of its key in a sentence."""
+
+
+class Key(NamedTuple):
+    """One key of a table; ``example`` is how it may be written."""
+
+    kind: Any
+    property: str
+    example: str
+    low: float = -math.inf
+    high: float = math.inf
+    choices: tuple = ()
+
+
+def number(value, key, what="a number"):
+    """A finite number within the key's limits."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise BadValue(f" is {_shown(value)}; give it {what}, for example {key.example}")
+    if not math.isfinite(value):
+        raise BadValue(f" is {value}; give it a finite number, for example {key.example}")
+    if not key.low <= value <= key.high:
+        raise BadValue(
+            f" is {_shown(value)}; it must lie between {key.low:g} and {key.high:g}, for example "
+            f"{key.example}"
+        )
+    return float(value)
+
+
+def length(value, key):
+    """A length in mm."""
+    return number(value, key, "a length in mm as a number")
+
+
+def angle(value, key):
+    """An angle in degrees."""
+    return number(value, key, "an angle in degrees as a number")
+
+
+def flag(value, key):
+    """True or false."""
+    if not isinstance(value, bool):
+        raise BadValue(f" is {_shown(value)}; set it to true or false")
+    return value
+
+
+def text(value, key):
+    """A short text on one line."""
+    if not isinstance(value, str) or not value.strip():
+        raise BadValue(f" is {_shown(value)}; give it a text in quotes, for example {key.example}")
+    if len(value) > 400 or not value.isprintable():
+        raise BadValue(" is too long or has characters that do not print; give it one short line")
+    return value.strip()
+
+
+def choice(value, key):
+    """One of the key's choices, whatever the case of its letters."""
+    for known in key.choices:
+        if isinstance(value, str) and value.lower() == known.lower():
+            return known
+    raise BadValue(f" is {_shown(value)}; choose one of {', '.join(key.choices)}")
+
+
+def choices(value, key):
+    """A list of the key's choices, each once, in the order of the table."""
+    if not isinstance(value, list):
+        raise BadValue(f" is {_shown(value)}; give it a list, for example {key.example}")
+    wanted = {choice(item, key) for item in value}
+    return [known for known in key.choices if known in wanted]
+
+
+def vector(value, key):
+    """Three coordinates in mm."""
+    if not isinstance(value, list) or len(value) != 3:
+        raise BadValue(f" is {_shown(value)}; give it three numbers in mm: {key.example}")
+    return [length(x, key) for x in value]
+
+
+def points(value, key):
+    """Control points: lists of two or three coordinates in mm."""
+    if not isinstance(value, list) or len(value) < 2:
+        raise BadValue(f" is {_shown(value)}; give it two or more points: {key.example}")
+    if len(value) > MAX_POINTS:
+        raise BadValue(
+            f" has {len(value)} control points; a Bézier curve is steered by a few, give it "
+            f"{MAX_POINTS} at most"
+        )
+    found = []
+    for index, point in enumerate(value, 1):
+        if not isinstance(point, list) or len(point) not in (2, 3):
+            raise BadValue(
+                f", point {index}, is {_shown(point)}; give it two or three numbers in mm, as in "
+                f"{key.example}"
+            )
+        try:
+            coordinates = [length(x, key) for x in point]
+        except BadValue as problem:
+            raise BadValue(f", point {index}, has a coordinate that{problem}") from None
+        found.append([*coordinates, 0.0][:3])
+    for index, (one, two) in enumerate(itertools.pairwise(found), 1):
+        if one == two:
+            raise BadValue(f", points {index} and {index + 1}, coincide; move or remove one")
+    return found
+
+
+def _shown(value):
+    """A value as it may stand in a sentence: short, and with its type where that is the trouble."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return f"{value:g}"
+    if isinstance(value, int):
+        return f"{value}" if abs(value) < 10**12 else "a number of very many digits"
+    if isinstance(value, str):
+        return f'the text "{value[:30]}{"…" if len(value) > 30 else ""}"'
+    if isinstance(value, list):
+        return f"a list of {len(value)}" if value else "an empty list"
+    return "a table" if isinstance(value, dict) else "a date or time"
+
+
+# As in origami.ratios, which needs numpy: a design is read before that is there.
+RATIO_RULES = ("Adaptive", "Fixed", "Exact", "Paper")
+RULING_KINDS = ("Automatic", "Direction", "Viewpoint")
+_PLACE = {"low": -MAX_LENGTH, "high": MAX_LENGTH}
+_SIZE = {"low": MIN_LENGTH, "high": MAX_LENGTH}
+_POINTS = "[[0, 0], [60, 120], [180, 120], [240, 0]]"
+
+TABLES = {
+    "design": {
+        "name": Key(text, "", '"Garden arch"'),
+        "description": Key(text, "", '"An arch of 20 units"'),
+    },
+    "curve": {
+        "kind": Key(choice, "Kind", '"Plane"', choices=("Plane", "Sphere", "General")),
+        "points": Key(points, "Points", _POINTS, **_PLACE),
+        "source": Key(text, "", '"curve.step"'),
+        "sphere_radius": Key(length, "SphereRadius", "150", **_SIZE),
+        "sphere_center": Key(vector, "SphereCenter", "[0, 0, 0]", **_PLACE),
+        "ruling_kind": Key(choice, "RulingKind", '"Automatic"', choices=RULING_KINDS),
+        "ruling": Key(vector, "Ruling", "[0, 0, 1]", **_PLACE),
+    },
+    "triangles": {
+        "edge_length": Key(length, "EdgeLength", "60", **_SIZE),
+        "gamma": Key(angle, "Gamma", "20", 0, 90),
+        "thickness": Key(length, "Thickness", "0", 0, MAX_LENGTH),
+        "flip_side": Key(flag, "FlipSide", "false"),
+        "level": Key(flag, "Level", "false"),
+    },
+    "unit": {
+        "ratio_rule": Key(choice, "RatioRule", '"Adaptive"', choices=RATIO_RULES),
+        "ratio": Key(number, "Ratio", "0.5", 0, 1),
+        "ratio_share": Key(number, "RatioShare", "0.1", 0, 1),
+        "height_ratio": Key(number, "HeightRatio", "2.5", 0.01, 1000),
+        "deployment": Key(number, "Deployment", "1", 0, 1),
+        "theta": Key(angle, "Theta", "45", 0, 180),
+        "edge_length": Key(length, "EdgeLength", "60", **_SIZE),
+        "omega": Key(angle, "Omega", "90", 0, 90),
+    },
+    "output": {
+        "formats": Key(choices, "", '["step", "obj"]', choices=("step", "obj")),
+        "states": Key(choices, "", '["flat", "deployed"]', choices=("flat", "deployed")),
+        "pictures": Key(flag, "", "true"),
+        "report": Key(flag, "", "true"),
+    },
+}
+
+# Keys of [unit] for one unit by itself; a tube has these from its curve and triangles.
+SINGLE_UNIT = ("theta", "edge_length", "omega")
+
+
+def example_of(table, key):
+    """How a key may be written."""
+    return TABLES[table][key].example
+
+
+def key_of_property(table, name):
+    """The key of ``[table]`` that sets the property ``name``, or None."""
+    return next((key for key, entry in TABLES[table].items() if entry.property == name), None)

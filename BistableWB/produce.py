@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A `Design` becomes a document, files, pictures and a report. Runs inside FreeCAD.
+
+To add a table that makes an object, such as [hinges]: its keys go into `design_table.TABLES`, a
+function into `_MAKERS` here; what it gives goes into `_exports` and `_pictures`.
+"""
+
+import contextlib
+import math
+import os
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import FreeCAD as App
+import Part
+
+from . import exporters, make, pictures, report
+from .design import Design, DesignError
+from .design_table import SINGLE_UNIT, TABLES, key_of_property
+from .objects.bistable_unit import tube_of
+from .objects.triangle_placement import place_along
+
+MAX_UNITS = 2000  # more are a slip of the pen, and hours of FreeCAD
+_SHAPES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+_STATES = {"flat": 0.0, "deployed": 1.0}
+
+
+@dataclass
+class Result:
+    """What `produce` made: ``files`` (paths), ``problems`` (sentences; empty if all went well)."""
+
+    design: Design
+    folder: Path
+    files: list = field(default_factory=list)
+    problems: list = field(default_factory=list)
+    pictures: dict = field(default_factory=dict)  # caption -> path
+    facts: report.Facts | None = None
+
+    def add(self, path):
+        """Note a file that was made."""
+        self.files.append(path)
+        return path
+
+
+def produce(design, folder, progress=lambda text: None):
+    """Make everything that ``design`` asks for in ``folder``; returns a `Result`.
+
+    `DesignError` where an object refuses its values. What fails on the way, such as a picture
+    without matplotlib, is a problem of the result, and the rest is made.
+    """
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    result = Result(design, folder)
+    with _quiet(), _document(design) as doc:
+        objects = build(doc, design)
+        progress(_summary(objects))
+        _exports(result, objects, progress)
+        _save(result, doc, progress)
+        result.facts = report.facts_of(design, objects)
+        if design.get("output", "pictures", True):
+            _try(result, "pictures", _pictures, result, objects, progress)
+    if design.get("output", "report", True):
+        _try(result, "report", _report, result, progress)
+    return result
+
+
+def build(doc, design):
+    """Make and recompute the objects of ``design`` in ``doc``: {table name: object}.
+
+    `DesignError`, in the words of the design file, where an object is invalid.
+    """
+    objects = {}
+    for table, maker in _MAKERS.items():
+        wanted = maker(doc, design, objects)
+        if wanted is not None:
+            objects[table] = wanted
+            _set_properties(wanted, table, design)
+    doc.recompute()
+    for table, obj in objects.items():
+        if not obj.isValid():
+            raise DesignError(_in_words_of_the_file(design, table, obj.getStatusString()))
+    return objects
+
+
+def _curve(doc, design, objects):
+    if "curve" not in design.tables:
+        return None
+    return make.make_curve(
+        doc, source=_source(doc, design), kind=design.get("curve", "kind", "Plane")
+    )
+
+
+def _triangles(doc, design, objects):
+    return make.make_triangle_placement(doc, objects["curve"]) if "curve" in objects else None
+
+
+def _unit(doc, design, objects):
+    triangles = objects.get("triangles")
+    if triangles is not None:
+        _refuse_too_many(design, triangles)
+    return make.make_bistable_unit(doc, triangles)
+
+
+# Table -> function (doc, design, objects so far) that makes its object, or gives None. In this
+# order: an object may link to those before it.
+_MAKERS = {"curve": _curve, "triangles": _triangles, "unit": _unit}
+
+
+def _refuse_too_many(design, triangles):
+    """Place the triangles before anything with faces is made of them."""
+    triangles.Document.recompute()
+    if triangles.isValid() and triangles.Count > MAX_UNITS:
+        raise DesignError(
+            f"{design.path}: [triangles] edge_length {triangles.EdgeLength.Value:g} gives "
+            f"{triangles.Count} units, more than {MAX_UNITS}; make it longer."
+        )
+
+
+def _set_properties(obj, table, design):
+    for key, entry in TABLES[table].items():  # in this order, whatever the file's
+        name, value = entry.property, design.get(table, key)
+        if value is None:
+            continue
+        if name == "Points":
+            value = [App.Vector(*point) for point in value]
+        elif isinstance(value, list):
+            value = App.Vector(*value)
+        if name:
+            setattr(obj, name, value)
+
+
+def _source(doc, design):
+    """A feature with the shape of [curve] source, a file beside the design; None if not given."""
+    name = design.get("curve", "source")
+    if name is None:
+        return None
+    path = design.path.parent / name
+    where = f"{design.path}: [curve] source {name}"
+    if path.suffix.lower() not in _SHAPES:
+        raise DesignError(f"{where} is no shape file; give one of {', '.join(_SHAPES)}.")
+    if not path.is_file():
+        raise DesignError(f"{where} is not there; give a path as seen from the design file.")
+    try:
+        shape = Part.read(str(path))
+    except (Part.OCCError, OSError, ValueError):
+        shape = Part.Shape()
+    if shape.isNull() or not shape.Edges:
+        raise DesignError(f"{where} has no edge that can be read; export the curve again.")
+    feature = doc.addObject("Part::Feature", "Source")
+    feature.Label = path.stem
+    feature.Shape = shape
+    return feature
+
+
+def _in_words_of_the_file(design, table, sentence):
+    """What an object says, with keys of the file for properties of the object."""
+
+    def key(match):
+        for home in (table, *TABLES):
+            found = key_of_property(home, match[0])
+            single_only = home == "unit" and found in SINGLE_UNIT and "curve" in design.tables
+            if found and not single_only:
+                return found if home == table else f"[{home}] {found}"
+        return match[0]
+
+    names = sorted({e.property for keys in TABLES.values() for e in keys.values() if e.property})
+    sentence = re.sub(rf"\b({'|'.join(names)})\b", key, sentence).rstrip(".")
+    return f"{design.path}: [{table}] {sentence}."
+
+
+def _summary(objects):
+    unit = objects["unit"]
+    count = len(unit.Alphas)
+    return f"{count} unit{'s' if count != 1 else ''}, isometry error {unit.IsometryError:.1e}"
+
+
+def _exports(result, objects, progress):
+    unit, design = objects["unit"], result.design
+    formats = design.get("output", "formats", ["step", "obj"])
+    wanted, shown = design.get("output", "states", list(_STATES)), unit.Deployment
+    for state in wanted:
+        unit.Deployment = _STATES[state]
+        unit.Document.recompute()
+        for suffix in formats:
+            path = result.folder / f"{design.stem}-{state}.{suffix}"
+            if _try(result, path.name, exporters.export, [unit], path):
+                progress(result.add(path).name)
+    unit.Deployment = shown
+    unit.Document.recompute()
+
+
+def _save(result, doc, progress):
+    path = result.folder / f"{result.design.stem}.FCStd"
+    unfinished = path.with_name(f".{path.stem}.writing.FCStd")
+    try:
+        doc.saveCopy(str(unfinished))
+        os.replace(unfinished, path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+    progress(result.add(path).name)
+
+
+def _pictures(result, objects, progress):
+    pictures.require()
+    tube = tube_of(objects["unit"])
+    sides = None
+
+    def draw(name, caption, function, *args):
+        path = result.folder / f"{result.design.stem}-{name}.png"
+        result.pictures[caption] = result.add(function(path, *args))
+        progress(path.name)
+
+    if "triangles" in objects:
+        triangles = objects["triangles"]
+        placed, geometry = place_along(triangles)
+        sides = placed.sides
+        gamma = math.radians(triangles.Gamma.Value)
+        draw("plan", "The curve and its triangles, seen along the legs of the strips",
+             pictures.top_view, placed, geometry.curve, gamma, geometry.sphere_radius)  # fmt: skip
+    draw("states", "The two stable states at one scale", pictures.both_states, tube)
+    if len(tube) > 1:
+        draw("angles", "Opening angle and ratio of every unit",
+             pictures.angle_chart, tube.unit.theta, tube.unit.ratio, sides)  # fmt: skip
+
+
+def _report(result, progress):
+    path = result.folder / "report.html"
+    report.write(path, [result])
+    progress(result.add(path).name)
+
+
+def _try(result, what, function, *args):
+    """Call ``function``; what goes wrong in a known way becomes a problem. True if it went well."""
+    try:
+        function(*args)
+    except (ValueError, OSError, pictures.NoMatplotlib) as error:
+        result.problems.append(f"{what}: {error}")
+        return False
+    return True
+
+
+@contextlib.contextmanager
+def _document(design):
+    doc = App.newDocument("Bistable", hidden=True)
+    doc.Label = design.title
+    try:
+        yield doc
+    finally:
+        App.closeDocument(doc.Name)
+
+
+@contextlib.contextmanager
+def _quiet():
+    """No tracebacks of refused values on the console: they become sentences here."""
+    console = App.Console
+    before = {kind: console.GetStatus("Console", kind) for kind in ("Err", "Log", "Msg", "Wrn")}
+    for kind in before:
+        console.SetStatus("Console", kind, False)
+    try:
+        yield
+    finally:
+        for kind, state in before.items():
+            console.SetStatus("Console", kind, bool(state))

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""View providers: icon, place in the tree and colours of the document objects.
+
+Importing this package must stay cheap: FreeCAD does so while it opens a file of ours.
+"""
+
+import importlib
+
+# Type name -> (module, class). A type that is not here looks like any other: `base`.
+VIEW_PROVIDERS = {
+    "Bistable::Curve": ("lines", "CurveView"),
+    "Bistable::TrianglePlacement": ("lines", "TrianglePlacementView"),
+    "Bistable::BistableUnit": ("bistable_unit", "BistableUnitView"),
+}
+_PLAIN = ("base", "BistableView")
+
+
+def attach(view_object, type_name):
+    """Give the view object of a new document object of ours its view provider; returns it."""
+    module, name = VIEW_PROVIDERS.get(type_name, _PLAIN)
+    view_class = getattr(importlib.import_module(f"{__name__}.{module}"), name)
+    return view_class(view_object)
+
+
+def attach_missing(obj):
+    """`attach` where there is none: an object saved without a window. True if it was needed."""
+    from .base import BistableView
+
+    view_object = obj.ViewObject
+    if view_object is None or isinstance(view_object.Proxy, BistableView):  # FreeCAD: 1 for none
+        return False
+    attach(view_object, obj.BistableType)
+    view_object.Proxy.updateData(obj, "Shape")
+    return True

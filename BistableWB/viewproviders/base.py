@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all view providers share."""
+
+from .. import ICONS
+
+
+class BistableView:
+    """Icon from the type of the object, inputs claimed in the tree. Nothing of it is saved.
+
+    Subclasses give ``LOOK``: view properties of a new object, which are the user's afterwards.
+    """
+
+    LOOK: dict = {}
+
+    def __init__(self, view_object):
+        view_object.Proxy = self
+        if not hasattr(self, "ViewObject"):  # a repaired one: FreeCAD attaches only the first proxy
+            self.attach(view_object)
+        for name, value in self.LOOK.items():
+            setattr(view_object, name, value)
+
+    def attach(self, view_object):
+        """Made or restored: keep the way back to the object."""
+        self.ViewObject = view_object
+
+    def updateData(self, obj, name):
+        """Follow a change of the object; nothing to do here."""
+
+    def onChanged(self, view_object, name):
+        """Follow a change of a view property; nothing to do here."""
+
+    def icon_name(self, obj):
+        """Name of the icon: the type's, or another where the object has several looks."""
+        return obj.BistableType.removeprefix("Bistable::")
+
+    def getIcon(self):
+        """Path of the icon, found anew each time: a saved path would be somebody else's."""
+        icon = ICONS / f"{self.icon_name(self.ViewObject.Object)}.svg"
+        return str(icon if icon.exists() else ICONS / "BistableWorkbench.svg")
+
+    def claimChildren(self):
+        """Put the inputs of an object below it: what is linked as a whole, not by elements."""
+        obj = getattr(getattr(self, "ViewObject", None), "Object", None)
+        claimed = []
+        for name in obj.PropertiesList if obj else ():
+            kind = obj.getTypeIdOfProperty(name)
+            if kind == "App::PropertyLink" and getattr(obj, name):
+                claimed.append(getattr(obj, name))
+            elif kind == "App::PropertyLinkSub" and getattr(obj, name):
+                target, elements = getattr(obj, name)
+                if not any(elements):
+                    claimed.append(target)
+        return claimed
+
+    def dumps(self):
+        """Nothing of the proxy is saved."""
+        return None
+
+    def loads(self, state):
+        """See `dumps`."""
+
+    # FreeCAD 0.20 asks for these names.
+    __getstate__ = dumps
+    __setstate__ = loads

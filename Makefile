@@ -1,0 +1,56 @@
+# `make help` says what there is. Debian's own Python runs everything: FreeCAD is built for it.
+PYTHON := /usr/bin/python3
+RUFF := build/tools/bin/ruff
+SUITES := bookworm trixie sid
+ARGS ?=
+# our matrices are small: threads of the linear algebra only wait for each other
+export OPENBLAS_NUM_THREADS := 1
+
+help: ## this list
+	@sed -nE 's/^([a-z-]+):.*## (.*)/\1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "  make %-14s %s\n", $$1, $$2}'
+
+demo: install ## a curve becomes a tube, and what prints it: into build/demo
+	$(PYTHON) -m BistableWB.demo --out build/demo
+
+test: install ## every test: fast, FreeCAD 0.20 · 1.0 · sid, in the window, lint
+	@.ci/test
+
+test-fast: ## the mathematics and the house rules, no FreeCAD (seconds); ARGS="-k name" for some
+	$(PYTHON) -m pytest $(ARGS)
+
+test-freecad: $(SUITES:%=test-freecad-%) ## the tests inside freecadcmd of bookworm, trixie and sid; test-freecad-SUITE for one
+
+test-gui: $(SUITES:%=test-gui-%) ## the tests in FreeCAD's window on a virtual screen; test-gui-SUITE for one
+
+test-freecad-%:
+	.ci/in-freecad $* tests --ignore=tests/house $(ARGS)
+
+test-gui-%:
+	.ci/in-freecad --gui $* tests/gui $(ARGS)
+
+lint: $(RUFF) ## style and mistakes, by ruff
+	$(RUFF) check .
+	$(RUFF) format --check .
+
+format: $(RUFF) ## let ruff mend what it can
+	$(RUFF) check --fix .
+	$(RUFF) format .
+
+bench: install ## how long things take
+	for file in benchmarks/bench_*.py; do .ci/in-freecad host --script $$file || exit 1; done
+
+clean: ## remove build/ and caches (the trees of other Debians stay in ~/.cache/bistable-workbench)
+	rm -rf build .pytest_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+install: ## with apt, what is missing
+	@.ci/install
+
+$(RUFF): .ci/requirements.txt
+	@rm -rf build/tools
+	@$(PYTHON) -m venv build/tools
+	@build/tools/bin/pip install -q --disable-pip-version-check -r .ci/requirements.txt
+	@touch $@
+
+.PHONY: help demo test test-fast test-freecad test-gui lint format bench clean install
+.DEFAULT_GOAL := help
