@@ -19,7 +19,8 @@ import pytest
 
 TRACEBACK = "Traceback (most recent call last)"
 REFUSED = re.compile(
-    re.escape(TRACEBACK) + r':\n  File ".*", line \d+, in execute\n(?: .*\n)+<class \'ValueError\'>'
+    re.escape(TRACEBACK)
+    + r':\n  File ".*", line \d+, in execute\n(?: .*\n)+<class \'(?:ValueError|BistableWB\.[\w.]+)\'>'
 )
 
 

@@ -58,7 +58,7 @@ def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
 
     A tube's TrianglePlacement that does not allow for thickness yet gets the pitch of the panels.
     """
-    from .objects.hinge_set import apply_preset, hinge_parameters
+    from .objects.hinge_inputs import apply_preset, hinge_parameters
 
     obj = _make(doc, "Bistable::HingeSet", "HingeSet")
     obj.Unit = unit
@@ -68,6 +68,24 @@ def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
     triangles = getattr(unit, "Triangles", None)
     if triangles is not None and triangles.Thickness.Value == 0:
         triangles.Thickness = hinge_parameters(obj).pitch
+    return obj
+
+
+def make_hinge_coupon(doc, kind="Dihedral", preset="Hinge4"):
+    """A test print: ``kind`` "Dihedral", "Vertex" or "NonDevelopableVertex".
+
+    ``preset``: a column of the paper's tables ("Hinge1" … "Hinge9", "Recommended",
+    "RecommendedVertex"), or None for the workbench's defaults.
+    """
+    obj = _make(doc, "Bistable::HingeCoupon", "HingeCoupon")
+    obj.Kind = kind
+    if kind != "Dihedral":
+        obj.LengthX, obj.LengthY = 50.0, 32.0
+    if preset is not None:
+        from .objects.hinge_inputs import check_preset
+
+        check_preset(preset)
+        obj.Preset = preset
     return obj
 
 

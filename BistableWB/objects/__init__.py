@@ -9,6 +9,7 @@ TYPES = {
     "Bistable::TrianglePlacement": ("triangle_placement", "TrianglePlacement"),
     "Bistable::BistableUnit": ("bistable_unit", "BistableUnit"),
     "Bistable::HingeSet": ("hinge_set", "HingeSet"),
+    "Bistable::HingeCoupon": ("hinge_coupon", "HingeCoupon"),
 }
 
 

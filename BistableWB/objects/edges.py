@@ -41,7 +41,9 @@ class EdgeChain:
         """Points (…, 3) at ``s`` in [0, 1]."""
         s = np.asarray(s, float)
         flat = s.ravel()
-        index = np.clip(np.searchsorted(self.bounds, flat, side="right") - 1, 0, len(self.pieces) - 1)
+        index = np.clip(
+            np.searchsorted(self.bounds, flat, side="right") - 1, 0, len(self.pieces) - 1
+        )
         start, end = self.bounds[index], self.bounds[index + 1]
         local = (flat - start) / (end - start)
         points = np.empty((len(flat), 3))
@@ -120,9 +122,9 @@ def _oriented(pieces):
     turned = []
     for k, (edge, first, last) in enumerate(pieces):
         if k == 0:
-            reverse = len(pieces) > 1 and min(
-                ends[0][0].distanceToPoint(p) for p in ends[1]
-            ) < min(ends[0][1].distanceToPoint(p) for p in ends[1])
+            reverse = len(pieces) > 1 and min(ends[0][0].distanceToPoint(p) for p in ends[1]) < min(
+                ends[0][1].distanceToPoint(p) for p in ends[1]
+            )
             reverse = reverse or (len(pieces) == 1 and edge.Orientation == "Reversed")
         else:
             reverse = here.distanceToPoint(ends[k][1]) < here.distanceToPoint(ends[k][0])

@@ -1,45 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """HingeSet: a tube of thick panels with print-in-place hinges, as it is printed and as it opens."""
 
-import math
-
 import FreeCAD as App
 import numpy as np
 import Part
 
 from ..origami.creases import BODIES
-from ..origami.hinge_parameters import PRESETS, HingeParameters
 from ..origami.linkage import ThickUnit
 from ..origami.thick_tube import ThickTube, thick_tube
+from ..solids.support import support_body
 from ..solids.tube import tube_bodies
 from .base import BistableObject, Prop, Result, require_link, set_result
 from .bistable_unit import BistableUnit, triangles_below, tube_of, tube_on
+from .hinge_inputs import HINGE_PROPERTIES, hinge_parameters
 from .triangle_placement import geometry_below, place_on
 
-_DEFAULTS = HingeParameters()
 _SAMPLES = np.linspace(0, 1, 129)
 _OFF_CURVE = 0.01  # of ‖AB‖: further off is worth a warning
-
-# The hinge inputs that HingeSet and HingeCoupon share, with the paper's names.
-HINGE_PROPERTIES = (
-    Prop("Enumeration", "HingeType", "Hinge", "Rotational: print-in-place knuckles. Flexible: a "
-         "strip of soft material (TPU) along every crease", ["Rotational", "Flexible"]),
-    Prop("Enumeration", "Pivot", "Hinge", "Cone: each knuckle turns on a cone. Pin: a continuous "
-         "pin, for thick panels", ["Cone", "Pin"]),
-    Prop("Angle", "ConeAngle", "Hinge", "Angle of the cones' surface against their base, 45° to "
-         "60°: steeper has less play", math.degrees(_DEFAULTS.cone_angle)),
-    Prop("Integer", "Segmentations", "Hinge", "Number of knuckles along a hinge, odd; fewer where "
-         "a hinge is short", _DEFAULTS.segmentations),
-    Prop("Length", "GapLength", "Hinge", "Axial gap between knuckles and clearance around them",
-         _DEFAULTS.gap_length),
-    Prop("Length", "GapBetweenPlanes", "Hinge", "Gap between stacked panels",
-         _DEFAULTS.gap_between_planes),
-    Prop("Length", "FaceThickness", "Hinge", "Thickness of the panels", _DEFAULTS.face_thickness),
-    Prop("Length", "LayerHeight", "Printer", "Layer height (the paper's profile)",
-         _DEFAULTS.layer_height),
-    Prop("Length", "NozzleDiameter", "Printer", "Nozzle diameter: the thinnest wall",
-         _DEFAULTS.nozzle_diameter),
-)  # fmt: skip
 
 
 class HingeSet(BistableObject):
@@ -53,6 +30,8 @@ class HingeSet(BistableObject):
              "exactly when deployed; without it they do not snap", True),
         Prop("Enumeration", "Orientation", "Printer", "Flat: layers horizontal, gaps filled with "
              "soluble support. OnEdge: layers vertical", ["Flat", "OnEdge"]),
+        Prop("Bool", "Support", "Printer", "Export a body of soluble support that fills the gaps "
+             "between the panels", False),
         Prop("FloatConstraint", "Deployment", "State", "0 is the flat-folded print on the bed, 1 "
              "is deployed along the curve", (0.0, 0.0, 1.0, 0.05)),
         Result("Integer", "BodyCount", "Results", "Number of separate moving bodies"),
@@ -77,18 +56,34 @@ class HingeSet(BistableObject):
             obj,
             BodyCount=len(model.bodies),
             BodyNames=[body.name for body in model.bodies],
-            PrintSize=_size(model.compound(0, obj.Orientation)),
-            DeployedSize=_size(model.compound(1)),
+            PrintSize=_size(model.shapes(0, obj.Orientation)),
+            DeployedSize=_size(model.shapes(1)),
             CurveDeviation=_length(model.tube.deviation()),
             DeployedMisfit=_length(model.tube.thick.misfit(1.0).max()),
             Warnings=model.warnings,
         )
-        obj.Shape = model.compound(obj.Deployment, obj.Orientation)
+        obj.Shape = Part.makeCompound(model.shapes(obj.Deployment, obj.Orientation))
+
+    def export_bodies(self, obj):
+        """[(name, shape), …] of the flat-folded print in its orientation, whatever `Deployment`."""
+        model = self.model(obj)
+        shapes = model.shapes(0, obj.Orientation)
+        named = [(b.name, s) for b, s in zip(model.bodies, shapes, strict=True)]
+        if obj.Support:
+            body = model.support()
+            body.Placement = model.standing(obj.Orientation) * body.Placement
+            named.append(("support", body))
+        return named
 
     def model(self, obj):
         """The `Model` of a HingeSet object, from memory if nothing that shapes it has changed."""
         unit = require_link(obj, "Unit", BistableUnit.Type, "choose a BistableUnit")
         parameters = hinge_parameters(obj)
+        if parameters.rotation_angle:
+            raise ValueError(
+                f"RotationAngle is {obj.RotationAngle.Value:.6g}°: a tube is printed flat-folded, "
+                "set it to 0°; coupons can be printed partly open."
+            )
         key = (parameters, obj.Compensate, *_inputs(unit))
         if getattr(self, "_key", None) != key:
             self._model = _make_model(unit, parameters, obj.Compensate)
@@ -97,65 +92,50 @@ class HingeSet(BistableObject):
 
 
 class Model:
-    """All bodies of a thick tube in the print frame, and where they stand in any state."""
+    """All bodies of a thick tube in the print frame, and where they stand in any state.
 
-    def __init__(self, tube, bodies, warnings):
-        self.tube, self.bodies, self.warnings = tube, bodies, warnings
+    Flexible strips (`Body.members` empty) bend, so they are there in the flat print only.
+    """
+
+    def __init__(self, tube, parameters, bodies, warnings):
+        self.tube, self.parameters = tube, parameters
+        self.bodies, self.warnings = bodies, warnings
 
     def motions(self, opening):
-        """Motions (bodies, 4, 4) from the flat print to an opening (0 flat, 1 deployed)."""
+        """Motions (bodies, 4, 4) from the flat print to an opening; None for flexible strips."""
         found = self.tube.motions(opening)
-        members = [body.members[0] for body in self.bodies]
-        return np.array([found[k, BODIES.index(name)] for k, name in members])
+        members = [body.members[0] if body.members else None for body in self.bodies]
+        return [m and found[m[0], BODIES.index(m[1])] for m in members]
 
-    def compound(self, opening, orientation="Flat"):
-        """Compound of all bodies, in their order; at opening 0 in the orientation of the print."""
-        shapes = []
-        turn = on_edge(self) if orientation == "OnEdge" and opening == 0 else App.Placement()
-        for body, motion in zip(self.bodies, self.motions(opening), strict=True):
-            shape = Part.Shape(body.shape)
-            move = turn * App.Placement(App.Matrix(*motion.ravel().tolist()))
-            shape.Placement = move * shape.Placement
-            shapes.append(shape)
-        return Part.makeCompound(shapes)
+    def shapes(self, opening, orientation="Flat"):
+        """Shapes of the bodies at an opening; at 0 all of them, in the orientation of the print."""
+        if opening == 0:
+            turn = self.standing(orientation)
+            return [_moved(body.shape, turn) for body in self.bodies]
+        return [
+            _moved(body.shape, App.Placement(App.Matrix(*motion.ravel().tolist())))
+            for body, motion in zip(self.bodies, self.motions(opening), strict=True)
+            if motion is not None
+        ]
 
+    def standing(self, orientation):
+        """Placement of the flat print on the bed: as it is, or on the ends of its layers."""
+        if orientation == "Flat":
+            return App.Placement()
+        turn = App.Placement(App.Vector(), App.Rotation(App.Vector(0, 1, 0), -90))
+        low = min(body.shape.BoundBox.XMin for body in self.bodies)
+        return App.Placement(App.Vector(0, 0, -low), App.Rotation()) * turn
 
-def on_edge(model):
-    """Placement that stands the flat print on the ends of its layers (x of the print upwards)."""
-    turn = App.Placement(App.Vector(), App.Rotation(App.Vector(0, 1, 0), -90))
-    low = min(body.shape.BoundBox.XMin for body in model.bodies)
-    return App.Placement(App.Vector(0, 0, -low), App.Rotation()) * turn
-
-
-def hinge_parameters(obj):
-    """`HingeParameters` from the properties of a HingeSet or HingeCoupon object."""
-    return HingeParameters(
-        hinge_type=obj.HingeType,
-        pivot=obj.Pivot,
-        cone_angle=math.radians(obj.ConeAngle.Value),
-        segmentations=obj.Segmentations,
-        gap_length=obj.GapLength.Value,
-        gap_between_planes=obj.GapBetweenPlanes.Value,
-        face_thickness=obj.FaceThickness.Value,
-        layer_height=obj.LayerHeight.Value,
-        nozzle_diameter=obj.NozzleDiameter.Value,
-    )
+    def support(self):
+        """Shape of the soluble support in the print frame."""
+        tube = self.tube
+        return support_body(tube.thick, self.parameters, tube.tube.incoming_left).shape
 
 
-def apply_preset(obj, name):
-    """Set the hinge inputs of ``obj`` to the readable cells of a preset of the paper's tables."""
-    if name not in PRESETS:
-        raise ValueError(f"Preset {name!r} is unknown: choose one of {', '.join(PRESETS)}.")
-    given = PRESETS[name].given
-    for key, prop in (
-        ("segmentations", "Segmentations"),
-        ("gap_length", "GapLength"),
-        ("gap_between_planes", "GapBetweenPlanes"),
-        ("face_thickness", "FaceThickness"),
-        ("layer_height", "LayerHeight"),
-    ):
-        if key in given:
-            setattr(obj, prop, given[key])
+def _moved(shape, placement):
+    moved = Part.Shape(shape)
+    moved.Placement = placement * moved.Placement
+    return moved
 
 
 def _make_model(unit, parameters, compensate):
@@ -170,7 +150,7 @@ def _make_model(unit, parameters, compensate):
         )
     finally:
         indicator.stop()
-    return Model(tube, bodies, [*parameters.warnings(), *warnings, *notes])
+    return Model(tube, parameters, bodies, [*parameters.warnings(), *warnings, *notes])
 
 
 def _thick(unit, parameters, compensate):
@@ -226,8 +206,10 @@ def _inputs(unit):
     )
 
 
-def _size(shape):
-    box = shape.BoundBox
+def _size(shapes):
+    box = App.BoundBox()
+    for shape in shapes:
+        box.add(shape.BoundBox)
     return App.Vector(box.XLength, box.YLength, box.ZLength)
 
 

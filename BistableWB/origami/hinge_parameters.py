@@ -269,7 +269,7 @@ def _cone_warnings(p):
 
 @dataclass(frozen=True)
 class Preset:
-    """One column of the paper's Tables 1 and 2.
+    """One column of the paper's Tables 1 and 2 (``table``; 0: Hinge6, which has no column).
 
     ``given``: the cells that are readable (parameter name → value; mm, radians); ``size``: printed
     length x, y, z (mm; None where unreadable); ``doubtful``: cells that the paper's text does not
@@ -309,6 +309,11 @@ PRESETS = {
     "Hinge3": Preset(1, _given(0, 5, 0.2, 1.2, 0.8, 0.3), (45, 36, None), ("length_z",)),
     "Hinge4": Preset(1, _given(0, 7, 0.4, 0.8, 0.8, 0.3), (45, 36, 2.4), (), True),
     "Hinge5": Preset(1, _given(5, 7, 0.4, 0, 0.6, 0.3), (45, 36, 4)),
+    "Hinge6": Preset(
+        0, {"hinge_type": FLEXIBLE}, (None, None, None),
+        ("gap_between_planes", "face_thickness", "layer_height"),
+    ),
+    "Recommended": Preset(1, _given(0, 7, 0.4, 0.8, 0.8, None), (45, 36, None), (), True),
     "Hinge7": Preset(
         2, _given(None, 5, None, 0.4, 0.8, None), (30, 25, None),
         ("rotation_angle", "gap_length", "length_z"), False,
@@ -321,4 +326,5 @@ PRESETS = {
         2, _given(None, 5, None, 0.6, 1.2, None), (50, 32, 6.6),
         ("rotation_angle", "gap_length", "face_thickness"), True,
     ),
+    "RecommendedVertex": Preset(2, _given(0, 5, None, 0.6, 1.2, None), (50, 32, None), (), True),
 }  # fmt: skip
