@@ -37,7 +37,7 @@ format: $(RUFF) ## let ruff mend what it can
 	$(RUFF) format .
 
 bench: install ## how long things take
-	for file in benchmarks/bench_*.py; do .ci/in-freecad host --script $$file || exit 1; done
+	for file in benchmarks/*.py; do .ci/in-freecad host --script $$file || exit 1; done
 
 clean: ## remove build/ and caches (the trees of other Debians stay in ~/.cache/bistable-workbench)
 	rm -rf build .pytest_cache .ruff_cache .hypothesis

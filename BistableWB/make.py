@@ -7,11 +7,15 @@ from .objects import TYPES, proxy_class
 from .objects.base import make_object, repair_object
 
 
+# Units between oblique contacts need their ratio some way above sin(theta/2).
+_OBLIQUE_SHARE = 0.15
+
+
 def make_curve(doc, points=None, source=None, kind="Plane", sphere_radius=None, name="Curve"):
     """An open curve by control ``points`` (two or more) or by ``source``.
 
-    ``source``: an object with edges, or (object, sub-element names). ``kind``: "Plane" or
-    "Sphere"; ``sphere_radius`` in mm. Without points and source: the example arch.
+    ``source``: an object with edges, or (object, sub-element names). ``kind``: "Plane",
+    "Sphere" or "General"; ``sphere_radius`` in mm. Without points and source: the example arch.
     """
     obj = _make(doc, "Bistable::Curve", name)
     if points is not None:
@@ -48,8 +52,11 @@ def make_bistable_unit(
         if value is not None:
             setattr(obj, name, value)
     curve = getattr(triangles, "Curve", None)
-    if getattr(curve, "Kind", "") == "Sphere":
+    kind = getattr(curve, "Kind", "")
+    if kind == "Sphere":
         obj.RatioRule = "Exact"
+    elif kind == "General":
+        obj.RatioShare = _OBLIQUE_SHARE
     return obj
 
 

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """HingeSet: a tube of thick panels with print-in-place hinges, as it is printed and as it opens."""
 
+import re
+
 import FreeCAD as App
 import numpy as np
 import Part
 
 from ..origami.creases import BODIES
 from ..origami.linkage import ThickUnit
+from ..origami.snap import assess
 from ..origami.thick_tube import ThickTube, thick_tube
 from ..solids.support import support_body
 from ..solids.tube import tube_bodies
@@ -60,6 +63,7 @@ class HingeSet(BistableObject):
             DeployedSize=_size(model.shapes(1)),
             CurveDeviation=_length(model.tube.deviation()),
             DeployedMisfit=_length(model.tube.thick.misfit(1.0).max()),
+            SnapMargins=np.atleast_1d(model.snap.margin).tolist(),
             Warnings=model.warnings,
         )
         obj.Shape = Part.makeCompound(model.shapes(obj.Deployment, obj.Orientation))
@@ -98,8 +102,9 @@ class Model:
     """
 
     def __init__(self, tube, parameters, bodies, warnings):
-        self.tube, self.parameters = tube, parameters
-        self.bodies, self.warnings = bodies, warnings
+        self.tube, self.parameters, self.bodies = tube, parameters, bodies
+        self.snap = assess(tube.thick, parameters.play)
+        self.warnings = [*parameters.warnings(), *_gathered(self.snap.warnings()), *warnings]
 
     def motions(self, opening):
         """Motions (bodies, 4, 4) from the flat print to an opening; None for flexible strips."""
@@ -150,7 +155,23 @@ def _make_model(unit, parameters, compensate):
         )
     finally:
         indicator.stop()
-    return Model(tube, parameters, bodies, [*parameters.warnings(), *warnings, *notes])
+    return Model(tube, parameters, bodies, [*warnings, *_gathered(notes)])
+
+
+def _gathered(sentences):
+    """Sentences "Unit k: …" or "Unit k …" that say the same kind of thing, one for all units.
+
+    The first of each kind stays whole; how many more units it holds for is added.
+    """
+    kinds = {}
+    for sentence in sentences:
+        kinds.setdefault(re.sub(r"[\d.]+", "#", sentence), []).append(sentence)
+    gathered = []
+    for same in kinds.values():
+        more = sorted({int(n) for s in same[1:] for n in re.findall(r"^Unit (\d+)", s)})
+        also = f" (Also unit{'s'[: len(more) > 1]} {', '.join(map(str, more))}.)" if more else ""
+        gathered.append(same[0] + also)
+    return gathered
 
 
 def _thick(unit, parameters, compensate):

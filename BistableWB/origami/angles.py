@@ -43,7 +43,9 @@ def angles_for(theta, ratio):
         np.isfinite(c) & (c >= low - _SLACK) & (c < 1),
         "Ratio{at} is {value:.6g}: for theta {0:.4g}° it must be at least sin(theta/2) = {1:.6g}"
         " and below 1; change Ratio or make theta smaller (shorter edge or smaller Gamma).",
-        c, np.degrees(theta), low,
+        c,
+        np.degrees(theta),
+        low,
     )
     # cos² α = 2 [(c + σ) + √((1 − σ)(c² − σ))] / (1 + c)², and its complement without cancellation.
     long, short = np.sqrt(1 - sigma), np.sqrt(np.clip(c * c - sigma, 0, None))
@@ -78,7 +80,10 @@ def theta_for(alpha, beta):
         np.isfinite(beta) & (beta >= low - _SLACK) & (beta < high),
         "Angle beta{at} is {value:.6g}°: for alpha {0:.4g}° it must be at least 45° - alpha/2 = "
         "{1:.6g}° and below 90° - alpha = {2:.6g}°.",
-        np.degrees(beta), np.degrees(alpha), np.degrees(low), np.degrees(high),
+        np.degrees(beta),
+        np.degrees(alpha),
+        np.degrees(low),
+        np.degrees(high),
     )
     product = np.tan(alpha) * np.tan(beta)
     require(

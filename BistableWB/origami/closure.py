@@ -24,6 +24,17 @@ RIGHT = BODY["contact_right"]
 # one's rotation about the leg, which `Closure.frame` makes the third.
 KEPT = np.setdiff1d(np.arange(6, 6 * len(BODIES)), [6 * RIGHT + 2])
 UNKNOWNS = len(KEPT)
+
+
+def _columns(end):
+    bodies = [b for b in BODIES if b.endswith(end)]
+    wanted = np.concatenate([6 * BODY[b] + np.arange(6) for b in bodies])
+    return np.flatnonzero(np.isin(KEPT, wanted))
+
+
+# Unknowns of the five bodies of each sub-unit, which meet no body of the other, and the rest.
+HALVES = tuple(_columns(end) for end in ("upper", "lower"))
+REST = np.setdiff1d(np.arange(UNKNOWNS), np.concatenate(HALVES))
 _CLOSE = 1e-7  # radians, edge lengths
 _AT_ONCE = 48  # states whose matrices fit in a processor's cache
 
@@ -156,20 +167,42 @@ class Closure:
             product[..., at : at + 3, at : at + 3] += sign * bent
 
 
-def settle(closure, poses, tolerance=1e-11, rounds=60):
+def solved(matrix, right):
+    """Solutions (n, 83, k) of normal equations (n, 83, 83), (n, 83, k).
+
+    The two halves of the unit are eliminated first: matrices so small that BLAS starts no threads
+    for them, which on a busy machine would wait for one another.
+    """
+    size = len(REST)
+    halves = np.stack([matrix[:, h[:, None], h] for h in HALVES])
+    across = np.stack([matrix[:, h[:, None], REST] for h in HALVES])
+    known = np.stack([right[:, h] for h in HALVES])
+    reduced = np.linalg.solve(halves, np.concatenate([across, known], -1))
+    taken = (np.swapaxes(across, -1, -2) @ reduced).sum(0)
+    solution = np.empty_like(right)
+    rest = np.linalg.solve(
+        matrix[:, REST[:, None], REST] - taken[..., :size], right[:, REST] - taken[..., size:]
+    )
+    solution[:, REST] = rest
+    for h, part in zip(HALVES, reduced, strict=True):
+        solution[:, h] = part[..., size:] - part[..., :size] @ rest
+    return solution
+
+
+def settle(closure, poses, rounds=60):
     """Poses of least squared misfit next to ``poses``, by damped Newton steps.
 
     Returns the poses (n, 15, 4, 4) and which of them converged (n,): the last step was below
-    ``tolerance`` (radians, edge lengths).
+    1e-7 radians or edge lengths, so that the next, were it taken, would be some 1e-12.
     """
     parts = [
-        _settle(closure.take(part), poses[part], tolerance, rounds)
+        _settle(closure.take(part), poses[part], rounds)
         for part in (slice(k, k + _AT_ONCE) for k in range(0, len(poses), _AT_ONCE))
     ]
     return tuple(np.concatenate(results) for results in zip(*parts, strict=True))
 
 
-def _settle(closure, poses, tolerance, rounds):
+def _settle(closure, poses, rounds):
     poses = closure.held(poses)
     cost = (closure.residual(poses) ** 2).sum((1, 2, 3)) / 2
     damping = np.full(len(poses), 1e-9)
@@ -188,10 +221,12 @@ def _settle(closure, poses, tolerance, rounds):
         poses[active[better]] = there[better]
         cost[active[better]] = reached[better]
         good = better & ((gained > 0.75 * gain) | (size < _CLOSE))
+        # A step that damping made short tells nothing.
+        done = (size < _CLOSE) & (damping[active] < 1e-6)
         factor = np.select([good, gained > 0.25 * gain, better], [0.1, 1, 5], 20)
         damping[active] = np.clip(damping[active] * factor, 1e-12, 1e3)
         uphill[active] = ~better | (uphill[active] & ~good)
-        active = active[~(better & (size < tolerance))]
+        active = active[~done]
         if not len(active):
             break
     converged = np.ones(len(poses), bool)
@@ -208,7 +243,7 @@ def _newton(matrix, gradient, damping, uphill):
     step = np.empty_like(gradient)
     plain = ~uphill
     damped = matrix[plain] + damping[plain, None, None] * np.eye(UNKNOWNS)
-    step[plain] = -np.linalg.solve(damped, gradient[plain, :, None])[..., 0]
+    step[plain] = -solved(damped, gradient[plain, :, None])[..., 0]
     if uphill.any():
         curvature, modes = np.linalg.eigh(matrix[uphill])
         along = (np.swapaxes(modes, -1, -2) @ gradient[uphill, :, None])[..., 0]

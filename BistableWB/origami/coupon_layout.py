@@ -105,8 +105,8 @@ def _core(name, lines, hinges, length_x, length_y):
     found = plan.half_planes(lines, [0j, complex(length_x, length_y)], 1.0)
     if not all(hinge in found[1] for hinge in hinges):
         raise ValueError(
-            f"Coupon of {length_x:.4g} x {length_y:.4g} mm is too small: nothing is left of {name}; "
-            f"set LengthX and LengthY to {1.5 * length_x:.4g} and {1.5 * length_y:.4g} mm."
+            f"Coupon of {length_x:.4g} x {length_y:.4g} mm leaves nothing of {name}; set "
+            f"LengthX and LengthY to {1.5 * length_x:.4g} and {1.5 * length_y:.4g} mm."
         )
     return found
 

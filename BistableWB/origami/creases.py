@@ -96,7 +96,9 @@ def _creases():
         for end in ("upper", "lower"):
             pb = (f"P_{end}", f"B_{end}")
             table.append(
-                Crease(f"PB_{side}_{end}", pb, (f"primary_{side}_{end}", f"link_{end}"), h, pb, True)
+                Crease(
+                    f"PB_{side}_{end}", pb, (f"primary_{side}_{end}", f"link_{end}"), h, pb, True
+                )
             )
         leg = ("B_upper", "B_lower")
         table.append(Crease(f"leg_B_{side}", leg, (f"contact_{side}", "link_B"), h, leg, True))

@@ -313,7 +313,10 @@ PRESETS = {
         0, {"hinge_type": FLEXIBLE}, (None, None, None),
         ("gap_between_planes", "face_thickness", "layer_height"),
     ),
-    "Recommended": Preset(1, _given(0, 7, 0.4, 0.8, 0.8, None), (45, 36, None), (), True),
+    # Table 1 recommends "> 5" segments: 7 is the fewest; Table 2's cell is printed as a fraction.
+    "Recommended": Preset(
+        1, _given(0, 7, 0.4, 0.8, 0.8, None), (45, 36, None), ("segmentations",), True
+    ),
     "Hinge7": Preset(
         2, _given(None, 5, None, 0.4, 0.8, None), (30, 25, None),
         ("rotation_angle", "gap_length", "length_z"), False,
@@ -326,5 +329,8 @@ PRESETS = {
         2, _given(None, 5, None, 0.6, 1.2, None), (50, 32, 6.6),
         ("rotation_angle", "gap_length", "face_thickness"), True,
     ),
-    "RecommendedVertex": Preset(2, _given(0, 5, None, 0.6, 1.2, None), (50, 32, None), (), True),
+    "RecommendedVertex": Preset(
+        2, _given(0, 5, None, 0.6, 1.2, None), (50, 32, None), ("segmentations", "gap_length"),
+        True,
+    ),
 }  # fmt: skip

@@ -256,7 +256,8 @@ class ThickUnit:
         nodes = np.stack([self._node(k) for k in range(first, below.max() + 2)])
         which = np.arange(len(self))[:, None]
         start, end = nodes[below - first, which], nodes[below - first + 1, which]
-        share = np.where(_jumps(start, end), below < _DEPLOYED, place - below)
+        share = place - below
+        share = np.where(_jumps(start, end) & (share > 0), below < _DEPLOYED, share)
         return rigid.between(start, end, share[..., None])
 
     def _node(self, k):
@@ -267,16 +268,27 @@ class ThickUnit:
             elif k == _DEPLOYED:
                 found = self._settled([[1.0]], self._guess[:, None])[:, 0]
             else:
-                back = 1 if k < _DEPLOYED else -1
-                guess = near = self._node(k + back)
-                if k + back != _DEPLOYED:
-                    far = self._node(k + 2 * back)
-                    guess = rigid.between(far, near, np.where(_jumps(far, near), 1.0, 2.0)[:, None])
-                found = self._settled([[k / STEPS]], guess[:, None])[:, 0]
+                found = self._followed(k)
             if k == 1:
                 self._check_flat(found)
             self._known[k] = found
         return self._known[k]
+
+    def _followed(self, k):
+        """Poses at node k from those at the nodes next to it, towards the deployed state."""
+        back = 1 if k < _DEPLOYED else -1
+        guess = near = self._node(k + back)
+        if k + back != _DEPLOYED:
+            far = self._node(k + 2 * back)
+            steady = ~_jumps(far, near)
+            guess = rigid.between(far, near, np.where(steady, 2.0, 1.0)[:, None])
+        found = self._settled([[k / STEPS]], guess[:, None])[:, 0]
+        jumps = _jumps(found, near)
+        if jumps.any():
+            # Where to depends on where from: the same as in `_near`.
+            again = self._settled([[k / STEPS]], near[:, None])[:, 0]
+            found = np.where(jumps[:, None, None, None], again, found)
+        return found
 
     def _check_flat(self, poses):
         turns = np.linalg.norm(rigid.rotation_vector(poses[..., :3, :3]), axis=-1).max(-1)

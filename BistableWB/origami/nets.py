@@ -249,7 +249,12 @@ def _tab(piece, panel, edge, depth, mate_angles):
     if depth < 1.0:  # mm: nothing that glue could hold
         return None
     out = -1j * along * depth
-    return start, start + along * depth * slopes[0] + out, end - along * depth * slopes[1] + out, end
+    return (
+        start,
+        start + along * depth * slopes[0] + out,
+        end - along * depth * slopes[1] + out,
+        end,
+    )
 
 
 def _inner_angles(pieces):

@@ -199,7 +199,9 @@ class SeenAlong:
         points = np.asarray(self.curve.point(np.array(blocks.parameters)), float)
         heights = points @ self.axis
         joints = (heights[:-1] + heights[1:]) / 2
-        ends = np.concatenate([2 * heights[:1] - joints[:1], joints, 2 * heights[-1:] - joints[-1:]])
+        ends = np.concatenate(
+            [2 * heights[:1] - joints[:1], joints, 2 * heights[-1:] - joints[-1:]]
+        )
         off = (ends[:-1] + ends[1:]) / 2 - heights
         reaches = np.array(blocks.reaches) + (np.diff(ends) / 2)[:, None] * self.axis
         midpoints = points + off[:, None] * self.axis

@@ -7,7 +7,7 @@ axis end, by a barrier method whose gap to the optimum is known.
 
 import numpy as np
 
-from .closure import UNKNOWNS
+from .closure import UNKNOWNS, solved
 
 _GROWTH = 40.0  # of the barrier's sharpness from one stage to the next
 _ROUNDS = 80
@@ -56,7 +56,7 @@ def _newton(closure, poses, level, sharpness):
     slope = sharpness - (2 * level[:, None, None] / room).sum((1, 2))
     bend = ((2 * level[:, None, None] / room) ** 2 - 2 / room).sum((1, 2))
     scale = np.trace(matrix, axis1=1, axis2=2)[:, None, None] / UNKNOWNS
-    steps = np.linalg.solve(matrix + 1e-12 * scale * np.eye(UNKNOWNS), pulled)
+    steps = solved(matrix + 1e-12 * scale * np.eye(UNKNOWNS), pulled)
     by_gradient, by_mixed = steps[..., 0], steps[..., 1]
     rise = -(slope - (mixed * by_gradient).sum(-1)) / (bend - (mixed * by_mixed).sum(-1))
     step = -by_gradient - rise[:, None] * by_mixed

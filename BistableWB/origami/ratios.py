@@ -9,7 +9,7 @@ from .angles import exact_sphere_ratio, half_opening
 
 RULES = ("Adaptive", "Fixed", "Exact", "Paper")
 SPHERE_RULES = ("Exact", "Paper")
-DEFAULT_SHARE = 0.1
+DEFAULT_SHARE = 0.03
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,8 @@ LAYERS = (CUT, MOUNTAIN, VALLEY, LABEL, SHEET)
 DIN = {"A4": (297, 210), "A3": (420, 297), "A2": (594, 420), "A1": (841, 594), "A0": (1189, 841)}
 MARGIN, GAP, FOOTER = 8.0, 5.0, 12.0
 SCALE_BAR = 50.0
-_SMALLEST_TEXT = 1.0  # mm
-_TEXT_WIDTH = 0.62  # of its size, per letter
+_SMALLEST_TEXT = 1.1  # mm
+_TEXT_WIDTH = 0.85  # of its size, per letter
 
 
 class Line(NamedTuple):
@@ -30,13 +30,17 @@ class Line(NamedTuple):
 
 
 class Text(NamedTuple):
-    """Text on a layer, its middle at ``position``, running at ``angle`` (radians), capitals mm."""
+    """Text on a layer at ``angle`` (radians), its capitals ``size`` mm high.
+
+    ``position``: its middle, or with ``anchor`` "start" the middle of its left side.
+    """
 
     layer: str
     text: str
     position: complex
     angle: float
     size: float
+    anchor: str = "middle"
 
 
 class Sheet(NamedTuple):
@@ -151,10 +155,12 @@ def _turn_into(points, area, first=()):
 
 
 def _turned(net, area):
-    """The net with its strip across the sheet where that fits, its corner at 0."""
-    upright = _up(net)
+    """The net with its strip across the sheet where that fits, its lower left corner at 0."""
+    up = _up(net)
     points = np.concatenate(net.shapes)
-    turn = _turn_into(points, area, (1j / upright, 1 / upright))
+    turn = _turn_into(points, area, (1j / up, 1 / up))
+    if (turn * up).imag < -1e-9:
+        turn = -turn
     spun = points * turn
     return net.moved(turn, -complex(spun.real.min(), spun.imag.min()))
 
@@ -172,12 +178,15 @@ def _up(net):
 
 def _labels(net, unit):
     """`Text` list of a net: names in the panels, numbers along the seams."""
-    angle = float(np.angle(_up(net) / 1j))
+    along = _up(net) / 1j
+    first = next(n for n in ("border_left", "border_right", *net.polygons) if n in net.polygons)
     texts = []
     for name, polygon in net.polygons.items():
-        middle, reach = _middle(polygon)
         text, largest = _panel_label(name, unit)
-        texts.append(_fitted(text, middle, angle, reach, largest))
+        if name == first:
+            text, largest = f"unit {unit.k + 1} {text}".rstrip(), 4.0
+        if text:
+            texts.append(_fitted(text, polygon, along, largest))
     texts += [_seam_label(seam, net.polygons[seam.panel]) for seam in net.seams]
     return [t for t in texts if t.size >= _SMALLEST_TEXT]
 
@@ -185,19 +194,28 @@ def _labels(net, unit):
 def _panel_label(name, unit):
     """Text of a panel's label and its largest size (mm)."""
     kind = kind_of(name)
-    if kind == "border":
-        return f"unit {unit.k + 1}", 5.0
     if kind != "contact":
-        return kind, 2.2
+        return ("" if kind == "border" else kind), 2.0
     if name.endswith(unit.incoming):
         return ("start" if unit.k == 0 else f"to unit {unit.k}"), 3.0
     return ("end" if unit.k == unit.count - 1 else f"to unit {unit.k + 2}"), 3.0
 
 
-def _fitted(text, middle, angle, reach, largest):
-    """Text about a point from which the nearest edge is ``reach`` mm away."""
-    size = min(largest, 0.8 * reach, 2 * reach / (_TEXT_WIDTH * len(text)))
-    return Text(LABEL, text, middle, angle, size)
+def _fitted(text, polygon, along, largest):
+    """Text in the middle of a polygon, along a direction, as large as there is room for."""
+    middle, reach = _middle(polygon)
+    room = 0.75 * _chord(polygon, middle, along) / (_TEXT_WIDTH * len(text))
+    share = 0.22 if len(polygon) == 3 else 0.4  # leave the edges to the seams' numbers
+    return Text(LABEL, text, middle, float(np.angle(along)), min(largest, share * reach, room))
+
+
+def _chord(polygon, middle, along):
+    """Length of the line through ``middle`` inside a convex polygon."""
+    offset = (polygon - middle) / along
+    ahead = np.roll(offset, -1)
+    crossing = (offset.imag > 0) != (ahead.imag > 0)
+    a, b = offset[crossing], ahead[crossing]
+    return float(np.ptp(a.real - a.imag * (b.real - a.real) / (b.imag - a.imag)))
 
 
 def _middle(polygon):
@@ -215,12 +233,13 @@ def _middle(polygon):
 def _seam_label(seam, polygon):
     along = (seam.end - seam.start) / abs(seam.end - seam.start)
     _, reach = _middle(polygon)
-    size = min(2.6, 0.5 * reach, 0.3 * abs(seam.end - seam.start))
+    size = min(2.2, 0.45 * reach, 0.3 * abs(seam.end - seam.start))
     angle = np.angle(along)
     if not -np.pi / 2 + 1e-6 < angle <= np.pi / 2 + 1e-6:
         angle += np.pi
-    position = (seam.start + seam.end) / 2 + 1j * along * 0.9 * size
-    return Text(LABEL, str(seam.number), complex(position), float(angle), float(size))
+    position = (seam.start + seam.end) / 2 + 1j * along * 0.85 * size
+    number = f"{seam.number}." if seam.number in (6, 9) else str(seam.number)  # 6 is no 9
+    return Text(LABEL, number, complex(position), float(angle), float(size))
 
 
 def _packed(pieces, area):
@@ -262,8 +281,7 @@ def _footer(size, title, number, count):
     lines, texts = [Line(SHEET, corners, True)], []
 
     def left_aligned(text, x, size_mm):
-        middle = complex(x + _TEXT_WIDTH * size_mm * len(text) / 2, base)
-        texts.append(Text(SHEET, text, middle, 0.0, size_mm))
+        texts.append(Text(SHEET, text, complex(x, base), 0.0, size_mm, "start"))
 
     x = width - MARGIN - SCALE_BAR
     lines.append(Line(SHEET, np.array([x + 1j * base, x + SCALE_BAR + 1j * base])))
@@ -271,12 +289,12 @@ def _footer(size, title, number, count):
         lines.append(Line(SHEET, np.array([end + 1j * (base - 1), end + 1j * (base + 1)])))
     texts.append(Text(SHEET, f"{SCALE_BAR:g} mm", complex(x + SCALE_BAR / 2, base + 2.6), 0.0, 2.2))
     for layer in (VALLEY, MOUNTAIN, CUT):
-        x -= 30
-        lines.append(Line(layer, np.array([x + 1j * base, x + 9 + 1j * base])))
-        left_aligned(layer, x + 10.5, 2.2)
-    room = (x - MARGIN - 4) / (_TEXT_WIDTH * 2.6)
+        x -= 34
+        lines.append(Line(layer, np.array([x + 1j * base, x + 12 + 1j * base])))
+        left_aligned(layer, x + 13.5, 2.2)
+    room = (x - MARGIN - 4) / (_TEXT_WIDTH * 2.4)
     sheet = f"  {number}/{count}"
     keep = max(int(room) - len(sheet), 0)
     short = title if len(title) <= keep else title[: max(keep - 2, 0)] + ".."
-    left_aligned(short + sheet, MARGIN, 2.6)
+    left_aligned(short + sheet, MARGIN, 2.4)
     return lines, texts

@@ -76,7 +76,10 @@ class Unit:
 
         For the paper's rule on a sphere this is the leg at C' (1.2 % at ω = 70°, θ = 50°).
         """
-        before, after = bar_lengths(self.flat)[..., IS_EDGE], bar_lengths(self.deployed)[..., IS_EDGE]
+        before, after = (
+            bar_lengths(self.flat)[..., IS_EDGE],
+            bar_lengths(self.deployed)[..., IS_EDGE],
+        )
         return (np.abs(after - before) / before).max(-1)[()]
 
 
@@ -97,7 +100,9 @@ def plane_unit(theta, ratio, edge_length, strip_height):
     found = angles.angles_for(theta, ratio)
     flat, deployed = _upper_pyramid(theta, ratio, found[0])
     shift = np.array([0, 0, strip_height / 2])
-    states = [_with_lower(s * edge_length + shift, np.array([1, 1, -1.0])) for s in (flat, deployed)]
+    states = [
+        _with_lower(s * edge_length + shift, np.array([1, 1, -1.0])) for s in (flat, deployed)
+    ]
     return Unit(*states, theta, ratio, *found, float(edge_length), float(strip_height))
 
 
@@ -122,7 +127,9 @@ def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
         strip_height < radius,
         "Strip height h = {value:.6g} is too large for omega {0:.4g}°: the inner base vanishes at "
         "{1:.6g}; raise HeightRatio or omega (a larger sphere).",
-        strip_height, np.degrees(omega), radius,
+        strip_height,
+        np.degrees(omega),
+        radius,
     )
     ratio = angles.exact_sphere_ratio(theta) if rule == "exact" else np.full_like(theta, 0.5)
     found = angles.angles_for(theta, ratio)

@@ -192,7 +192,9 @@ def test_gently_rising_curves_give_tubes(bends, edge, ratio):
     points = [(0, 0, 0), *((80 * k, *bend) for k, bend in enumerate(bends, 1))]
     placed = place(Bezier(points), edge, np.radians(18))
     left, right = contact_pairs(placed, edge / 2.5)
-    if np.abs(placed.reaches[:, 2] / np.linalg.norm(placed.reaches, axis=1)).max() < np.sin(np.radians(20)):
+    if np.abs(placed.reaches[:, 2] / np.linalg.norm(placed.reaches, axis=1)).max() < np.sin(
+        np.radians(20)
+    ):
         assert_proper(general_unit(left, right, ratio), left, right)
 
 

@@ -77,6 +77,13 @@ def test_table_of_spheres(theta, omega, before, peak):
     assert unit.misfit(openings).max() == pytest.approx(peak, rel=0.05)
 
 
+def test_a_jumping_path_is_the_same_at_its_nodes_and_between():
+    unit = ThickUnit(sphere_unit(np.radians(55), 60, np.radians(75), 15), *THIN).compensated()
+    jump = 20 / 24  # past the fold at 0.844 θ
+    beside = unit.misfit([jump, jump - 1e-6, jump + 1e-6]).max(-1)
+    assert beside == pytest.approx(np.full(3, beside[0]), rel=1e-4)
+
+
 def test_rising_arch_closes():
     placed = place(Bezier([[0, 0, 0], [60, 120, 20], [180, 120, 60], [240, 0, 70]]), 60, 0.35)
     units = general_unit(*contact_pairs(placed, 18.0), 0.5)

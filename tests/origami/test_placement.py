@@ -98,7 +98,9 @@ def test_straight_line_gives_twice_gamma(gamma):
 
 @given(st.floats(0, 2 * np.pi), st.floats(-1, 1), st.integers(0, 99))
 def test_any_plane_in_space_gives_the_same_tube(turn, tilt, seed):
-    axis = np.array([np.sqrt(1 - tilt**2) * np.cos(turn), np.sqrt(1 - tilt**2) * np.sin(turn), tilt])
+    axis = np.array(
+        [np.sqrt(1 - tilt**2) * np.cos(turn), np.sqrt(1 - tilt**2) * np.sin(turn), tilt]
+    )
     helper = np.array([1.0, 0, 0]) if abs(axis[0]) < 0.7 else np.array([0, 1.0, 0])
     u = np.cross(axis, helper) / np.linalg.norm(np.cross(axis, helper))
     rotation = np.stack([u, np.cross(axis, u), axis])

@@ -130,7 +130,9 @@ def test_thick_placement_centres_units_in_their_double_hinges():
         (lambda: RatioRule(share=1.0).ratios(0.8), "RatioShare is 1"),
         (lambda: RatioRule(share=np.nan).ratios(0.8), "RatioShare is nan"),
         (
-            lambda: tubes.along(sphere_tube()[0], "Sphere", 2.5, RatioRule("Exact"), sphere_radius=110),
+            lambda: tubes.along(
+                sphere_tube()[0], "Sphere", 2.5, RatioRule("Exact"), sphere_radius=110
+            ),
             "not on the sphere.*SphereRadius",
         ),
     ],
@@ -142,7 +144,9 @@ def test_refusals(call, words):
 
 def test_every_rule_gives_its_ratio():
     theta = np.radians([40.0, 55.0])
-    assert tubes.make_unit("Plane", theta, 40, 2.5, RatioRule("Paper")).ratio == pytest.approx([0.5, 0.5])
+    assert tubes.make_unit("Plane", theta, 40, 2.5, RatioRule("Paper")).ratio == pytest.approx(
+        [0.5, 0.5]
+    )
     exact = tubes.make_unit("Plane", theta, 40, 2.5, RatioRule("Exact"))
     assert exact.ratio == pytest.approx(1 / (3 - 4 * np.sin(theta / 2) ** 2))
     assert exact.isometry_error().max() < 1e-12
