@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shapes to triangle meshes. Bodies that are moved or mirrored copies are meshed once."""
 
+from math import isclose, pi
+
 import MeshPart
 import numpy as np
 import Part
@@ -35,10 +37,13 @@ class Tessellator:
         own = Part.Shape(shape)
         own.Placement = type(shape.Placement)()
         key, middle, mirror = _fingerprint(own)
-        known = self._known.get(key)
+        alike = self._known.setdefault(key, [])
+        volume = own.Volume
+        known = next((k for k in alike if isclose(k[0], volume, rel_tol=1e-6)), None)
         if known is None:
-            known = self._known[key] = mesh_of(own, self.linear, self.angular), middle, mirror
-        mesh, its_middle, its_mirror = known
+            known = volume, mesh_of(own, self.linear, self.angular), middle, mirror
+            alike.append(known)
+        _, mesh, its_middle, its_mirror = known
         between = np.eye(4)
         between[:3, :3] = mirror @ its_mirror  # mirrors are their own inverse
         between[:3, 3] = middle - between[:3, :3] @ its_middle
@@ -107,17 +112,38 @@ def _with_strips(mesh, cones):
     strips = [mesh.triangles]
     for face in cones:
         found = [_rim_at(rims, centre, radius) for centre, radius in _circles(face)]
-        lengths = {0 if rim is None else len(rim) for rim in found}
-        if len(found) != 2 or len(lengths) != 1 or 0 in lengths:
+        if len(found) != 2 or any(rim is None for rim in found):
             return None
-        first, second = found[0], found[1][::-1]
-        nearest = ((mesh.vertices[second] - mesh.vertices[first[0]]) ** 2).sum(1).argmin()
-        second = np.roll(second, -nearest)
-        after, second_after = np.roll(first, -1), np.roll(second, -1)
-        strips.append(np.stack([after, first, second], 1))
-        strips.append(np.stack([after, second, second_after], 1))
+        strips += _strip(mesh.vertices, found[0], found[1][::-1])
     whole = Mesh(mesh.vertices, np.concatenate(strips))
     return None if len(unpaired_edges(whole.triangles)) else whole
+
+
+def _strip(vertices, first, second):
+    """Triangles between two coaxial rims that run the same way round, by the angle of their points.
+
+    At every point of a rim, its edge up to there is joined to where the other rim has got to.
+    """
+    points = vertices[first]
+    arms = points - points.mean(0)
+    axis = np.cross(arms, np.roll(arms, -1, 0)).sum(0)
+    axis /= np.linalg.norm(axis)
+    start, across = arms[0], np.cross(axis, arms[0])
+    turns = []
+    for rim in (first, second):
+        arms = vertices[rim] - vertices[rim].mean(0)
+        angles = np.arctan2(arms @ across, arms @ start) % (2 * pi)
+        angles[angles > 2 * pi - 1e-4] = 0.0
+        turns.append(angles)
+    second = np.roll(second, -turns[1].argmin())
+    turns[1] = np.roll(turns[1], -turns[1].argmin())
+    ends = [np.append(angles[1:], 2 * pi + angles[0]) for angles in turns]
+    beside = np.searchsorted(ends[1], ends[0] - 1e-4) % len(second)
+    onto = np.searchsorted(ends[0], ends[1] + 1e-4, side="right") % len(first)
+    return [
+        np.stack([np.roll(first, -1), first, second[beside]], 1),
+        np.stack([first[onto], second, np.roll(second, -1)], 1),
+    ]
 
 
 def _circles(face):

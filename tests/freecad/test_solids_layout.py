@@ -102,7 +102,7 @@ def test_presets_are_the_paper_s_cells_and_nothing_else(table):
         assert PRESETS[name].size == tuple(cells[f"length_{axis}_mm"] for axis in "xyz")
         missing = {p for row, p in names.items() if row in cells and cells[row] is None}
         assert missing <= set(PRESETS[name].doubtful)
-    worked = [n for n, p in PRESETS.items() if p.worked and n in data]
+    worked = [n for n, p in PRESETS.items() if p.worked and n in data and n[-1].isdigit()]
     assert worked == data["working_in_the_paper"]
 
 
