@@ -23,7 +23,7 @@ test-freecad: $(SUITES:%=test-freecad-%) ## the tests inside freecadcmd of bookw
 test-gui: $(SUITES:%=test-gui-%) ## the tests in FreeCAD's window on a virtual screen; test-gui-SUITE for one
 
 test-freecad-%:
-	.ci/in-freecad $* tests --ignore=tests/house $(ARGS)
+	.ci/in-freecad $* tests --ignore=tests/house --durations=10 $(ARGS)
 
 test-gui-%:
 	.ci/in-freecad --gui $* tests/gui $(ARGS)

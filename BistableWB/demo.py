@@ -2,7 +2,8 @@
 """``python3 -m BistableWB.demo --out build/demo``: the main job, headless, on the examples.
 
 Every design of ``resources/examples`` becomes a folder of files, and index.html shows them all.
-Exit codes and streams as in `BistableWB.cli`.
+``--pictures resources/pictures`` makes the pictures of the README anew instead. Exit codes and
+streams as in `BistableWB.cli`.
 """
 
 import argparse
@@ -16,8 +17,16 @@ from .design import DesignError, read
 _TITLE = "Bistable Workbench: examples"
 _SUBTITLE = (
     "From a curve to a tube of bistable origami units, flat-folded and deployed. Both states have "
-    "the same panels; the way between them bends them, so that the tube snaps."
+    "the same panels; the way between them bends them, so that the tube snaps. The hinged ones are "
+    "ready to print, flat-folded."
 )
+# Picture of the README -> the example that it shows, and the name of the picture there.
+_README = {
+    "tube.png": ("hinged-arch", "print"),
+    "hinge.png": ("spherical-unit", "hinge"),
+    "states.png": ("spherical-unit", "opening"),
+}
+_PALETTE = 200  # colours of a README picture: a third of the size, and nothing to be seen of it
 
 
 def main(args=None):
@@ -28,11 +37,19 @@ def main(args=None):
     )
     parser.add_argument("--out", type=Path, default=Path("build/demo"), metavar="DIR",
                         help="folder for the results (default build/demo)")  # fmt: skip
+    parser.add_argument("--pictures", type=Path, metavar="DIR",
+                        help="make only the pictures of the README, in this folder")  # fmt: skip
     options = parser.parse_args(args)
+    folder = options.pictures or options.out
     try:
         if not launcher.available():
-            return launcher.start("demo", ["--out", str(options.out)]).wait()
-        return _run(options.out)
+            switch = "--pictures" if options.pictures else "--out"
+            return launcher.start("demo", [switch, str(folder)]).wait()
+        problem = cli.make_folder(folder)
+        if problem:
+            print(problem, file=sys.stderr)
+            return cli.BAD_INPUT
+        return _make_pictures(folder) if options.pictures else _run(folder)
     except launcher.NoFreeCAD as missing:
         print(missing, file=sys.stderr)
         return cli.FAILED
@@ -43,12 +60,7 @@ def main(args=None):
 def _run(out):
     from . import produce, report
 
-    problem = cli.make_folder(out)
-    if problem:
-        print(problem, file=sys.stderr)
-        return cli.BAD_INPUT
     started, results, failed = time.monotonic(), [], False
-    # The hinged prints join here: an example with a table [hinges] is enough.
     for path in sorted(EXAMPLES.glob("*.toml")):
         began = time.monotonic()
         try:
@@ -71,14 +83,44 @@ def _run(out):
 def _tell(result, seconds):
     """One paragraph on stdout: the design, its numbers, its files, what went wrong."""
     numbers = dict(result.facts.numbers)
-    print(
-        f"{result.design.title}: {numbers['units']} units, θ {numbers['opening angle θ']}, "
-        f"isometry error {numbers['isometry error']} ({seconds:.1f} s)"
-    )
+    told = [f"θ {numbers['opening angle θ']}, isometry error {numbers['isometry error']}"]
+    told += [
+        f"{n['moving bodies']} bodies, print {n['print']}, snap margin {n['snap margin']}"
+        for table, facts in result.facts.prints.items()
+        for n in [dict(facts.numbers)]
+        if table == "hinges"
+    ]
+    print(f"{result.design.title}: {numbers['units']} units, {', '.join(told)} ({seconds:.1f} s)")
     kinds = sorted({path.suffix for path in result.files})
     print(f"  {result.folder}: {len(result.files)} files ({' '.join(kinds)})", flush=True)
     for problem in result.problems:
         print(f"{result.design.path}: {problem}", file=sys.stderr, flush=True)
+
+
+def _make_pictures(folder):
+    """The pictures of the README, each from its example."""
+    from . import pictures, produce
+
+    try:
+        pictures.require()
+        for example in dict.fromkeys(example for example, _ in _README.values()):
+            wanted = {name: file for file, (home, name) in _README.items() if home == example}
+            for path in produce.pictures_of(read(EXAMPLES / f"{example}.toml"), folder, wanted):
+                _shrink(path)
+                print(path, flush=True)
+    except (DesignError, ValueError, OSError, pictures.NoMatplotlib) as error:
+        print(error, file=sys.stderr)
+        return cli.FAILED
+    return cli.DONE
+
+
+def _shrink(path):
+    """Give a picture a palette."""
+    from PIL import Image  # matplotlib brings it along
+
+    with Image.open(path) as image:
+        small = image.convert("RGB").quantize(_PALETTE, dither=Image.Dither.NONE)
+    small.save(path, optimize=True)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from .design_table import SINGLE_UNIT, TABLES, BadValue, example_of
+from .design_table import PRINT_FORMATS, RULE_OF, SINGLE_UNIT, TABLES, BadValue, example_of
 
 MAX_BYTES = 1_000_000
 
@@ -36,6 +36,17 @@ class Design:
     def title(self):
         """Name for people."""
         return self.tables.get("design", {}).get("name", self.stem)
+
+    @property
+    def formats(self):
+        """Suffixes without dots of the files for other programs."""
+        has_print = "hinges" in self.tables or "coupon" in self.tables
+        return self.get("output", "formats", list(PRINT_FORMATS) if has_print else ["step", "obj"])
+
+    @property
+    def makes_unit(self):
+        """Whether there is a tube or a single unit; else the design is of a coupon only."""
+        return "curve" in self.tables or "unit" in self.tables
 
     def get(self, table, key, default=None):
         """Value of ``key`` in ``[table]``, else ``default``."""
@@ -139,18 +150,12 @@ def _check_together(path, tables):
         raise DesignError(f"{path}: {text}.")
 
     curve, unit = tables.get("curve"), tables.get("unit", {})
-    for key, rule in (("ratio", "Fixed"), ("ratio_share", "Adaptive")):
-        if key in unit and unit.get("ratio_rule", rule) != rule:
-            refuse(
-                f"[unit] {key} is not used by ratio_rule {unit['ratio_rule']}; remove it, or set "
-                f'ratio_rule = "{rule}"'
-            )
-    if "ratio" in unit and "ratio_share" in unit:
-        refuse("[unit] has both ratio and ratio_share; keep one")
+    _check_ratio_rule(unit, refuse)
+    _check_prints(tables, refuse)
     if curve is None:
         if "triangles" in tables:
             refuse("[triangles] needs a curve; add a table [curve] with points")
-        if "theta" not in unit:
+        if "theta" not in unit and ("unit" in tables or "coupon" not in tables):
             refuse("describes nothing; add a table [curve] with points, or theta under [unit]")
         return
     for key in SINGLE_UNIT:
@@ -172,6 +177,30 @@ def _check_together(path, tables):
     ):  # fmt: skip
         if key in curve and kind != needed:
             refuse(f'[curve] {key} needs the kind {needed}; add kind = "{needed}" or remove {key}')
+
+
+def _check_ratio_rule(unit, refuse):
+    default = "Fixed" if "ratio" in unit else "Adaptive"
+    for key, rule in RULE_OF.items():
+        chosen = unit.get("ratio_rule", default)
+        if key in unit and chosen != rule and not (key == "ratio_share" and "ratio" in unit):
+            refuse(
+                f"[unit] {key} is not used by ratio_rule {chosen}; remove it, or set "
+                f'ratio_rule = "{rule}"'
+            )
+    if "ratio" in unit and "ratio_share" in unit:
+        refuse("[unit] has both ratio and ratio_share; keep one")
+
+
+def _check_prints(tables, refuse):
+    """Tables and formats of prints."""
+    if "hinges" in tables and not ("curve" in tables or "unit" in tables):
+        refuse("[hinges] needs a tube; add a table [curve] with points, or [unit] with theta")
+    if "hinges" in tables or "coupon" in tables:
+        return
+    for wanted in tables.get("output", {}).get("formats", ()):
+        if wanted in PRINT_FORMATS:
+            refuse(f"[output] formats has {wanted}, which is of a print; add a table [hinges]")
 
 
 def _lower(error):

@@ -9,6 +9,8 @@ import itertools
 import math
 from typing import Any, NamedTuple
 
+from .origami.hinge_parameters import PRESETS
+
 MAX_POINTS = 200
 MAX_LENGTH = 100_000.0  # mm
 MIN_LENGTH = 0.1
@@ -51,6 +53,13 @@ def length(value, key):
 def angle(value, key):
     """An angle in degrees."""
     return number(value, key, "an angle in degrees as a number")
+
+
+def whole(value, key):
+    """A whole number."""
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise BadValue(f" is {_shown(value)}; give it a whole number, for example {key.example}")
+    return int(number(value, key))
 
 
 def flag(value, key):
@@ -135,11 +144,25 @@ def _shown(value):
 
 
 # As in origami.ratios, which needs numpy: a design is read before that is there.
-RATIO_RULES = ("Adaptive", "Fixed", "Exact", "Paper")
+RATIO_RULES = ("Adaptive", "Fixed", "Exact", "Paper", "TargetSnap")
+COUPON_KINDS = ("Dihedral", "Vertex", "NonDevelopableVertex")  # as in solids.coupons
 RULING_KINDS = ("Automatic", "Direction", "Viewpoint")
 _PLACE = {"low": -MAX_LENGTH, "high": MAX_LENGTH}
 _SIZE = {"low": MIN_LENGTH, "high": MAX_LENGTH}
 _POINTS = "[[0, 0], [60, 120], [180, 120], [240, 0]]"
+
+# Inputs of a hinge, with the paper's names. The object says what makes no hinge, and the cure.
+_HINGE = {
+    "hinge_type": Key(choice, "HingeType", '"Rotational"', choices=("Rotational", "Flexible")),
+    "pivot": Key(choice, "Pivot", '"Cone"', choices=("Cone", "Pin")),
+    "cone_angle": Key(angle, "ConeAngle", "55", 0, 90),
+    "segmentations": Key(whole, "Segmentations", "7", 1, 99),
+    "gap_length": Key(length, "GapLength", "0.4", 0, 100),
+    "gap_between_planes": Key(length, "GapBetweenPlanes", "0.6", 0, 100),
+    "face_thickness": Key(length, "FaceThickness", "1.2", 0, 100),
+    "layer_height": Key(length, "LayerHeight", "0.2", 0, 10),
+    "nozzle_diameter": Key(length, "NozzleDiameter", "0.4", 0, 10),
+}
 
 TABLES = {
     "design": {
@@ -166,14 +189,35 @@ TABLES = {
         "ratio_rule": Key(choice, "RatioRule", '"Adaptive"', choices=RATIO_RULES),
         "ratio": Key(number, "Ratio", "0.5", 0, 1),
         "ratio_share": Key(number, "RatioShare", "0.1", 0, 1),
+        "target_margin": Key(number, "TargetMargin", "1.5", 0, 100),
+        "hinge_play": Key(length, "HingePlay", "0.28", 0, 100),
+        "strain_limit": Key(number, "StrainLimit", "0.02", 0, 1),
+        "target_barrier": Key(number, "TargetBarrier", "0.00001", 0, 1),
         "height_ratio": Key(number, "HeightRatio", "2.5", 0.01, 1000),
         "deployment": Key(number, "Deployment", "1", 0, 1),
         "theta": Key(angle, "Theta", "45", 0, 180),
         "edge_length": Key(length, "EdgeLength", "60", **_SIZE),
+        "thickness": Key(length, "Thickness", "1.8", 0, MAX_LENGTH),
         "omega": Key(angle, "Omega", "90", 0, 90),
     },
+    "hinges": {
+        "preset": Key(choice, "", '"Recommended"', choices=tuple(PRESETS)),
+        **_HINGE,
+        "compensate": Key(flag, "Compensate", "true"),
+        "orientation": Key(choice, "Orientation", '"Flat"', choices=("Flat", "OnEdge")),
+        "support": Key(flag, "Support", "false"),
+        "deployment": Key(number, "Deployment", "0", 0, 1),
+    },
+    "coupon": {
+        "kind": Key(choice, "Kind", '"Dihedral"', choices=COUPON_KINDS),
+        "preset": Key(choice, "Preset", '"Hinge4"', choices=tuple(PRESETS)),
+        "length_x": Key(length, "LengthX", "45", **_SIZE),
+        "length_y": Key(length, "LengthY", "36", **_SIZE),
+        **_HINGE,
+        "rotation_angle": Key(angle, "RotationAngle", "0", 0, 180),
+    },
     "output": {
-        "formats": Key(choices, "", '["step", "obj"]', choices=("step", "obj")),
+        "formats": Key(choices, "", '["stl", "3mf"]', choices=("step", "obj", "stl", "3mf")),
         "states": Key(choices, "", '["flat", "deployed"]', choices=("flat", "deployed")),
         "pictures": Key(flag, "", "true"),
         "report": Key(flag, "", "true"),
@@ -181,7 +225,16 @@ TABLES = {
 }
 
 # Keys of [unit] for one unit by itself; a tube has these from its curve and triangles.
-SINGLE_UNIT = ("theta", "edge_length", "omega")
+SINGLE_UNIT = ("theta", "edge_length", "omega", "thickness")
+# Keys of [unit] that only one ratio_rule uses.
+RULE_OF = {
+    "ratio": "Fixed",
+    "ratio_share": "Adaptive",
+    **dict.fromkeys(
+        ("target_margin", "hinge_play", "strain_limit", "target_barrier"), "TargetSnap"
+    ),
+}
+PRINT_FORMATS = ("stl", "3mf")  # of a flat-folded print or a coupon, not of zero-thickness faces
 
 
 def example_of(table, key):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A `Design` becomes a document, files, pictures and a report. Runs inside FreeCAD.
 
-To add a table that makes an object, such as [hinges]: its keys go into `design_table.TABLES`, a
-function into `_MAKERS` here; what it gives goes into `_exports` and `_pictures`.
+To add a table that makes an object: its keys go into `design_table.TABLES`, a function into
+`_MAKERS` here; what it gives goes into `_exports` and `_pictures`. What is special about prints is
+in `hinged`.
 """
 
 import contextlib
@@ -15,10 +16,11 @@ from pathlib import Path
 import FreeCAD as App
 import Part
 
-from . import exporters, make, pictures, report
+from . import exporters, hinged, make, pictures, report
 from .design import Design, DesignError
-from .design_table import SINGLE_UNIT, TABLES, key_of_property
+from .design_table import PRINT_FORMATS, SINGLE_UNIT, TABLES, key_of_property
 from .objects.bistable_unit import tube_of
+from .objects.hinge_inputs import hinge_parameters
 from .objects.triangle_placement import place_along
 
 MAX_UNITS = 2000  # more are a slip of the pen, and hours of FreeCAD
@@ -57,12 +59,31 @@ def produce(design, folder, progress=lambda text: None):
         progress(_summary(objects))
         _exports(result, objects, progress)
         _save(result, doc, progress)
-        result.facts = report.facts_of(design, objects)
+        prints = _prints(objects)
+        result.facts = report.facts_of(objects, prints, progress)
+        result.problems += [e for facts in result.facts.prints.values() for e in facts.errors]
         if design.get("output", "pictures", True):
-            _try(result, "pictures", _pictures, result, objects, progress)
+            _try(result, "pictures", _pictures, result, objects, prints, progress)
     if design.get("output", "report", True):
         _try(result, "report", _report, result, progress)
     return result
+
+
+def pictures_of(design, folder, wanted):
+    """Only some pictures of the prints of ``design``: ``wanted`` {name: file}; returns the paths.
+
+    `DesignError` and `pictures.NoMatplotlib` where there can be none.
+    """
+    paths = []
+
+    def draw(name, caption, function, *args):
+        if name in wanted:
+            paths.append(function(Path(folder) / wanted[name], *args))
+
+    with _quiet(), _document(design) as doc:
+        for made in _prints(build(doc, design)).values():
+            made.draw(draw)
+    return paths
 
 
 def build(doc, design):
@@ -76,6 +97,7 @@ def build(doc, design):
         if wanted is not None:
             objects[table] = wanted
             _set_properties(wanted, table, design)
+    _allow_for_thickness(design, objects)
     doc.recompute()
     for table, obj in objects.items():
         if not obj.isValid():
@@ -96,15 +118,42 @@ def _triangles(doc, design, objects):
 
 
 def _unit(doc, design, objects):
+    if not design.makes_unit:
+        return None
     triangles = objects.get("triangles")
     if triangles is not None:
         _refuse_too_many(design, triangles)
     return make.make_bistable_unit(doc, triangles)
 
 
+def _hinges(doc, design, objects):
+    if "hinges" not in design.tables:
+        return None
+    return make.make_hinge_set(doc, objects["unit"], preset=design.get("hinges", "preset"))
+
+
+def _coupon(doc, design, objects):
+    if "coupon" not in design.tables:
+        return None
+    return make.make_hinge_coupon(doc, design.get("coupon", "kind", "Dihedral"), preset=None)
+
+
+def _allow_for_thickness(design, objects):
+    """Triangles without a thickness of their own leave room for the panels of the hinges."""
+    if "hinges" in objects and "triangles" in objects:
+        pitch = hinge_parameters(objects["hinges"]).pitch
+        objects["triangles"].Thickness = design.get("triangles", "thickness", pitch)
+
+
 # Table -> function (doc, design, objects so far) that makes its object, or gives None. In this
 # order: an object may link to those before it.
-_MAKERS = {"curve": _curve, "triangles": _triangles, "unit": _unit}
+_MAKERS = {
+    "curve": _curve,
+    "triangles": _triangles,
+    "unit": _unit,
+    "hinges": _hinges,
+    "coupon": _coupon,
+}
 
 
 def _refuse_too_many(design, triangles):
@@ -155,9 +204,10 @@ def _source(doc, design):
 
 def _in_words_of_the_file(design, table, sentence):
     """What an object says, with keys of the file for properties of the object."""
+    others = [name for name in TABLES if name in _relevant(design)]
 
     def key(match):
-        for home in (table, *TABLES):
+        for home in (table, *others):
             found = key_of_property(home, match[0])
             single_only = home == "unit" and found in SINGLE_UNIT and "curve" in design.tables
             if found and not single_only:
@@ -169,23 +219,55 @@ def _in_words_of_the_file(design, table, sentence):
     return f"{design.path}: [{table}] {sentence}."
 
 
+def _relevant(design):
+    """Tables whose keys may cure what an object of the design refuses."""
+    if "curve" in design.tables:
+        return {"curve", "triangles", "unit", "hinges"}
+    return {"unit", "hinges"} if design.makes_unit else {"coupon"}
+
+
 def _summary(objects):
-    unit = objects["unit"]
-    count = len(unit.Alphas)
-    return f"{count} unit{'s' if count != 1 else ''}, isometry error {unit.IsometryError:.1e}"
+    told = []
+    if "unit" in objects:
+        unit = objects["unit"]
+        count = len(unit.Alphas)
+        told.append(f"{count} unit{'s' if count != 1 else ''}")
+        told.append(f"isometry error {unit.IsometryError:.1e}")
+    told += [f"{objects[t].BodyCount} bodies" for t in ("hinges", "coupon") if t in objects]
+    return ", ".join(told)
+
+
+def _prints(objects):
+    """What `hinged` knows of the prints: {table: HingedTube or Coupon}."""
+    kinds = {"hinges": hinged.HingedTube, "coupon": hinged.Coupon}
+    return {table: kind(objects[table]) for table, kind in kinds.items() if table in objects}
 
 
 def _exports(result, objects, progress):
-    unit, design = objects["unit"], result.design
-    formats = design.get("output", "formats", ["step", "obj"])
-    wanted, shown = design.get("output", "states", list(_STATES)), unit.Deployment
-    for state in wanted:
+    def export(obj, name):
+        path = result.folder / f"{result.design.stem}-{name}"
+        if _try(result, path.name, exporters.export, [obj], path):
+            progress(result.add(path).name)
+
+    formats = result.design.formats
+    for table, name in (("hinges", "print"), ("coupon", "coupon")):
+        if table in objects:
+            for suffix in formats:
+                if suffix in PRINT_FORMATS or "unit" not in objects:
+                    export(objects[table], f"{name}.{suffix}")
+    faces = [suffix for suffix in formats if suffix not in PRINT_FORMATS]
+    if "unit" in objects and faces:
+        _export_faces(result.design, objects["unit"], faces, export)
+
+
+def _export_faces(design, unit, formats, export):
+    """Zero-thickness faces in the wanted states."""
+    shown = unit.Deployment
+    for state in design.get("output", "states", list(_STATES)):
         unit.Deployment = _STATES[state]
         unit.Document.recompute()
         for suffix in formats:
-            path = result.folder / f"{design.stem}-{state}.{suffix}"
-            if _try(result, path.name, exporters.export, [unit], path):
-                progress(result.add(path).name)
+            export(unit, f"{state}.{suffix}")
     unit.Deployment = shown
     unit.Document.recompute()
 
@@ -201,16 +283,23 @@ def _save(result, doc, progress):
     progress(result.add(path).name)
 
 
-def _pictures(result, objects, progress):
+def _pictures(result, objects, prints, progress):
     pictures.require()
-    tube = tube_of(objects["unit"])
-    sides = None
 
     def draw(name, caption, function, *args):
         path = result.folder / f"{result.design.stem}-{name}.png"
         result.pictures[caption] = result.add(function(path, *args))
         progress(path.name)
 
+    for made in prints.values():
+        made.draw(draw)
+    if "unit" in objects:
+        _draw_unit(objects, "hinges" not in prints, draw)
+
+
+def _draw_unit(objects, states, draw):
+    """Pictures of the zero-thickness tube; those of both ``states`` if they are wanted."""
+    tube, sides = tube_of(objects["unit"]), None
     if "triangles" in objects:
         triangles = objects["triangles"]
         placed, geometry = place_along(triangles)
@@ -218,7 +307,8 @@ def _pictures(result, objects, progress):
         gamma = math.radians(triangles.Gamma.Value)
         draw("plan", "The curve and its triangles, seen along the legs of the strips",
              pictures.top_view, placed, geometry.curve, gamma, geometry.sphere_radius)  # fmt: skip
-    draw("states", "The two stable states at one scale", pictures.both_states, tube)
+    if states:
+        draw("states", "The two stable states at one scale", pictures.both_states, tube)
     if len(tube) > 1:
         draw("angles", "Opening angle and ratio of every unit",
              pictures.angle_chart, tube.unit.theta, tube.unit.ratio, sides)  # fmt: skip

@@ -7,7 +7,7 @@ import os
 import platform
 import string
 import urllib.parse
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import metadata
 from pathlib import Path
 
@@ -15,6 +15,7 @@ import FreeCAD as App
 import numpy as np
 
 from . import __version__
+from .design_table import RULE_OF, TABLES
 
 _STYLE = """
 :root { --ink: #14283c; --muted: #5b6b7b; --line: #d9e0e6; --wash: #f5f8fa; --accent: #1f5f99; }
@@ -51,6 +52,12 @@ ul.files { padding-left: 1.1rem; margin: .2rem 0; }
 pre { background: var(--wash); border-radius: 8px; padding: .8rem 1rem; overflow-x: auto;
       font: 13px/1.45 "DejaVu Sans Mono", monospace; }
 .problems { border-left: 4px solid #d81b72; background: #fdf0f5; padding: .6rem 1rem; }
+ul.findings { list-style: none; padding: 0; }
+.findings li { margin: .3rem 0; padding-left: 1.5rem; text-indent: -1.5rem; }
+.findings li::before { display: inline-block; width: 1.5rem; text-indent: 0; font-weight: 700; }
+.findings .note::before { content: "✓"; color: #2b7a4b; }
+.findings .warning::before { content: "!"; color: #b36200; }
+.findings .error::before { content: "✗"; color: #d81b72; }
 footer { margin-top: 3.5rem; border-top: 1px solid var(--line); padding-top: .8rem;
          font-size: .88rem; }
 @media print { main { max-width: none; padding: 0; } figure, .numbers div { break-inside: avoid; }
@@ -84,16 +91,35 @@ $sections
 
 @dataclass(frozen=True)
 class Facts:
-    """Numbers of a design as text: (name, value) pairs and the table of units."""
+    """Numbers of a design as text: (name, value) pairs and the table of units.
+
+    ``prints``: `hinged.PrintFacts` by the table of the design that asks for the print.
+    """
 
     numbers: list
     parameters: list
     columns: list
     rows: list
+    prints: dict = field(default_factory=dict)
 
 
-def facts_of(design, objects):
-    """`Facts` of the recomputed ``objects`` {table: object} of a design."""
+def facts_of(objects, prints, progress=lambda text: None):
+    """`Facts` of recomputed ``objects`` {table: object} and ``prints`` {table: `hinged` object}."""
+    facts = {}
+    for table, made in prints.items():
+        progress(f"checks of the {'print' if table == 'hinges' else table}")
+        facts[table] = made.facts()
+    numbers, columns, rows = [], [], []
+    if "unit" in objects:
+        numbers, columns, rows = _unit_facts(objects)
+    if "hinges" in facts:
+        columns = columns + facts["hinges"].columns
+        rows = [row + more for row, more in zip(rows, facts["hinges"].rows, strict=True)]
+    return Facts(numbers, _parameters(objects), columns, rows, facts)
+
+
+def _unit_facts(objects):
+    """Numbers, columns and rows of a tube or a unit."""
     unit, triangles = objects["unit"], objects.get("triangles")
     thetas = np.array(triangles.Thetas if triangles else [unit.Theta.Value])
     spread = f"{thetas.min():.1f}° … {thetas.max():.1f}°" if len(thetas) > 1 else f"{thetas[0]:g}°"
@@ -115,7 +141,7 @@ def facts_of(design, objects):
                 np.sin(np.radians(thetas) / 2), strict=True)
         )
     ]  # fmt: skip
-    return Facts(numbers, _parameters(objects), columns, rows)
+    return numbers, columns, rows
 
 
 def _parameters(objects):
@@ -142,7 +168,7 @@ def _unused(obj):
     if kind != "General":
         unused |= {"RulingKind", "Ruling", "Level"}
     rule = getattr(obj, "RatioRule", "")
-    unused |= {n for n, r in (("Ratio", "Fixed"), ("RatioShare", "Adaptive")) if r != rule}
+    unused |= {TABLES["unit"][key].property for key, r in RULE_OF.items() if r != rule}
     return unused
 
 
@@ -215,7 +241,9 @@ def _section(result, home, several):
     if result.problems:
         items = "".join(f"<li>{_e(problem)}</li>" for problem in result.problems)
         parts.append(f'<div class="problems"><strong>Not made:</strong><ul>{items}</ul></div>')
-    parts.append(_numbers(facts.numbers))
+    parts += [_print(facts.prints[table], table) for table in facts.prints]
+    if facts.numbers:
+        parts.append(("<h3>Geometry</h3>" if facts.prints else "") + _numbers(facts.numbers))
     parts += [_figure(path, caption) for caption, path in result.pictures.items()]
     parts.append(
         '<div class="columns"><div><h3>Parameters</h3>'
@@ -224,7 +252,8 @@ def _section(result, home, several):
         + _files(result.files, home)
         + "</div></div>"
     )
-    parts.append("<h3>Units</h3>" + _table(facts.columns, facts.rows, "units"))
+    if facts.rows:
+        parts.append("<h3>Units</h3>" + _table(facts.columns, facts.rows, "units"))
     parts.append(
         "<h3>Make it again</h3>"
         f"<p>Save this as <code>{_e(design.path.name)}</code> and run "
@@ -232,6 +261,16 @@ def _section(result, home, several):
         f"<pre>{_e(design.text.strip())}</pre></section>"
     )
     return "\n".join(parts)
+
+
+def _print(facts, table):
+    """Numbers of a print and, the worst first, what was found."""
+    title = {"hinges": "The print", "coupon": "The test print"}[table]
+    order = {"error": 0, "warning": 1, "note": 2}
+    found = sorted(facts.findings, key=lambda finding: order[finding.severity])
+    items = "".join(f'<li class="{f.severity}">{_e(f)}</li>' for f in found)
+    listed = f'<ul class="findings">{items}</ul>' if found else ""
+    return f"<h3>{title}</h3>{_numbers(facts.numbers)}{listed}"
 
 
 def _numbers(pairs):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..origami import print_stack, rigid
-from ..origami.hinge_layout import link_section
+from ..origami.hinge_plan import link_section
 from .findings import ERROR, NOTE, Finding
 
 ANGLES = np.radians(np.arange(0, 180, 2.0))  # by which a print may be turned on the bed

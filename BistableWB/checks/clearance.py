@@ -12,7 +12,7 @@ from . import triangles
 # Distances are found to this accuracy (mm): pairs that could only be nearer by less are left out.
 ACCURACY = 1e-4
 _FIRST_ROUND = 32  # triangle pairs of each pair of bodies that are measured first
-_AT_ONCE = 16  # pairs of bodies
+_AT_ONCE = 8  # pairs of bodies
 _BLOCK = 1 << 15  # pairs of triangles
 
 
@@ -32,6 +32,7 @@ def clearances(scene, reach, pairs=None):
     """`Clearances` of the bodies of a `Scene` that are nearer than ``reach`` mm.
 
     ``pairs`` (m, 2): those to look at, all if not given. Copies of a pair are measured once.
+    A body wholly inside another one is not seen: `penetration.penetrations` does.
     """
     pairs = scene.body_pairs(reach) if pairs is None else np.asarray(pairs, int).reshape(-1, 2)
     rows, which = scene.distinct(pairs)

@@ -12,8 +12,11 @@ import numpy as np
 
 from ..solids.mesh import half_edges
 from . import triangles
+from .triangles import dot
 
 _SAMPLES = np.array([0.02, 0.25, 0.5, 0.75, 0.98])  # of a part of an edge that lies inside
+_KNOWN = 400  # crossings that bound the depth of a point
+_BATCH = 24  # points whose depths are measured at a time
 _TOUCH = 1e-6  # mm within which bounds of triangles that may cross are looked for
 
 
@@ -31,7 +34,7 @@ def penetrations(scene, pairs=None):
     hits = _hits(scene, near)
     found = []
     for k, (a, b) in enumerate(near.tolist()):
-        inside = [_inside(scene, hits, k, side, body) for side, body in ((0, a), (1, b))]
+        inside = [_inside(scene, hits, k, side, (a, b)) for side in (0, 1)]
         depths = [
             _deepest(scene.meshes[other], points, crossings)
             for (points, crossings), other in zip(inside, (b, a), strict=True)
@@ -80,10 +83,11 @@ def _hits(scene, pairs):
     return _Hits(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
-def _inside(scene, hits, pair, side, body):
+def _inside(scene, hits, pair, side, bodies):
     """Points (n, 3) of a body's edges that lie inside the other one, and where edges enter it."""
     rows = np.flatnonzero((hits.pair == pair) & (hits.side == side))
-    mesh = scene.meshes[body]
+    body = bodies[side]
+    mesh, other = scene.meshes[body], scene.meshes[bodies[1 - side]]
     local = hits.edge[rows] - 3 * scene.offset[body]
     ends = half_edges(mesh.triangles)[local]
     single = ends[:, 0] < ends[:, 1]  # every edge is met twice, once each way
@@ -104,7 +108,8 @@ def _inside(scene, hits, pair, side, body):
     start, end = mesh.vertices[tails[:, 0]], mesh.vertices[tails[:, 1]]
     shares = low[:, None] + (high - low)[:, None] * _SAMPLES
     samples = start[:, None] + shares[..., None] * (end - start)[:, None]
-    seeds = np.concatenate([ends[first & ~enters][:, 0], ends[on][:, 1]])
+    seeds = np.unique(np.concatenate([ends[first & ~enters][:, 0], ends[on][:, 1]]))
+    seeds = seeds[_winding(other, mesh.vertices[seeds]) > 0.5]
     corners = mesh.vertices[_connected(mesh, seeds, ends)]
     crossings = mesh.vertices[ends[:, 0]] * (1 - share[:, None])
     crossings = crossings + mesh.vertices[ends[:, 1]] * share[:, None]
@@ -133,24 +138,38 @@ def _deepest(mesh, points, crossings):
     if not len(points) or not len(crossings):
         return 0.0, np.full(3, np.nan)
     # No point is deeper than its distance to the nearest crossing.
-    gap = points[:, None] - crossings[None, :: max(1, len(crossings) // 64)]
-    bound = np.sqrt((gap**2).sum(-1).min(1))
+    known = crossings[:: 1 + len(crossings) // _KNOWN]
+    square = dot(points, points)[:, None] + dot(known, known) - 2 * points @ known.T
+    bound = np.sqrt(np.maximum(square.min(1), 0)) + _TOUCH
     corners = mesh.corners
-    low, high = corners.min(1), corners.max(1)
+    reach = bound.max()
+    near = (corners.max(1) >= points.min(0) - reach) & (corners.min(1) <= points.max(0) + reach)
+    corners = corners[near.all(1)]
     deepest, where = 0.0, points[0]
-    for k in np.argsort(-bound):
-        if bound[k] <= deepest + 1e-6:
+    order = np.argsort(-bound)
+    for k in range(0, len(order), _BATCH):
+        batch = order[k : k + _BATCH]
+        if bound[batch[0]] <= deepest or not len(corners):
             break
-        point = points[k]
-        beside = np.maximum(np.maximum(low - point, point - high), 0)
-        near = corners[(beside**2).sum(1) <= bound[k] ** 2 + 1e-12]
-        if not len(near):
-            continue
-        square = triangles.points_to_triangles(np.repeat(point[None], len(near), 0), near)
-        depth = float(np.sqrt(square.min()))
-        if depth > deepest:
-            deepest, where = depth, point
+        depths = _depths(points[batch], bound[batch], corners)
+        for row in np.argsort(-depths):
+            if depths[row] <= deepest:
+                break
+            # Rounding may have taken a point for an inner one.
+            point = points[batch[row]]
+            if _winding(mesh, point[None])[0] > 0.5:
+                deepest, where = float(depths[row]), point
     return deepest, where
+
+
+def _depths(points, bounds, corners):
+    """Distances (n,) of points from triangles, those of the latter that are within ``bounds``."""
+    beside = np.maximum(corners.min(1) - points[:, None], points[:, None] - corners.max(1))
+    near = (np.maximum(beside, 0) ** 2).sum(-1) <= bounds[:, None] ** 2 + 1e-12
+    rows, columns = np.nonzero(near)
+    square = np.full(len(points), np.inf)
+    np.minimum.at(square, rows, triangles.points_to_triangles(points[rows], corners[columns]))
+    return np.where(np.isfinite(square), np.sqrt(square), 0.0)
 
 
 def _swallowed(scene, inner, outer):
@@ -160,17 +179,19 @@ def _swallowed(scene, inner, outer):
     if (box[0] < around[0]).any() or (box[1] > around[1]).any():
         return 0.0, np.full(3, np.nan)
     point = small.vertices[0]
-    if _winding(large, point) < 0.5:
+    if _winding(large, point[None])[0] < 0.5:
         return 0.0, np.full(3, np.nan)
     return float(np.min(around[1] - around[0])), point
 
 
-def _winding(mesh, point):
-    """Winding number of a mesh about a point: 1 inside, 0 outside."""
-    a, b, c = np.moveaxis(mesh.corners - point, 1, 0)
-    lengths = [np.linalg.norm(v, axis=1) for v in (a, b, c)]
-    above = triangles.dot(a, triangles.cross(b, c))
-    below = lengths[0] * lengths[1] * lengths[2]
-    below += triangles.dot(a, b) * lengths[2] + triangles.dot(b, c) * lengths[0]
-    below += triangles.dot(c, a) * lengths[1]
-    return float(np.arctan2(above, below).sum() / (2 * np.pi))
+def _winding(mesh, points):
+    """Winding numbers (n,) of a mesh about points (n, 3): 1 inside, 0 outside."""
+    corners, found = mesh.corners, np.empty(len(points))
+    for k, point in enumerate(points):
+        a, b, c = np.moveaxis(corners - point, 1, 0)
+        la, lb, lc = (np.sqrt(dot(v, v)) for v in (a, b, c))
+        above = dot(a, triangles.cross(b, c))
+        below = la * lb * lc + dot(a, b) * lc
+        below += dot(b, c) * la + dot(c, a) * lb
+        found[k] = np.arctan2(above, below).sum() / (2 * np.pi)
+    return found

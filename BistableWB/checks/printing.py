@@ -12,8 +12,8 @@ from .trees import Scene, Tree
 
 CLEARANCE_TOLERANCE = 0.02  # mm by which measured clearances may lie below the one asked for
 OVERLAP_TOLERANCE = 0.01  # mm of overlap in the deployed state that is taken for rounding
-_UNITS_AT_ONCE = 4  # limits the memory
-_HINGED = {frozenset(crease.bodies) for crease in CREASES}
+_UNITS_AT_ONCE = 2  # limits the memory
+_HINGES = {frozenset(crease.bodies): k for k, crease in enumerate(CREASES)}
 
 
 class Print:
@@ -69,11 +69,13 @@ class Print:
             )
         ]
 
-    def check_poses(self, motions, opening):
+    def check_poses(self, motions, opening, misfits=None):
         """Findings on bodies that overlap at an opening (0 flat, 1 deployed).
 
         ``motions`` (units, 15, 4, 4) from `print_stack.motions`. Deployed nothing may overlap; on
-        the way no overlap may be deeper than the play of a hinge.
+        the way no overlap may be deeper than the play of a hinge. Two bodies of one hinge may
+        overlap by its misfit, if given (``misfits`` (units, 23) mm, `ThickUnit.misfit`): that is
+        the snap, which the bodies take up by bending.
         """
         limit = OVERLAP_TOLERANCE if opening in (0, 1) else self.parameters.play
         found, deepest = [], 0.0
@@ -82,8 +84,9 @@ class Print:
             deepest = max(deepest, result.depths.max(initial=0))
             for row in np.flatnonzero(result.depths > limit):
                 bodies = [names[i] for i in result.pairs[row]]
-                depth = result.depths[row]
-                found.append(self._overlap(bodies, depth, limit, opening, result.points[row]))
+                depth, own = result.depths[row], max(limit, _misfit(bodies, misfits))
+                if depth > own:
+                    found.append(self._overlap(bodies, depth, own, opening, result.points[row]))
         if found:
             return sorted(found, key=lambda finding: -finding.number)
         text = f"overlap by at most {deepest:.3f} mm" if deepest else "do not overlap"
@@ -137,7 +140,7 @@ class Print:
 
     def _overlap(self, bodies, depth, limit, opening, point):
         names = [body.name for body in bodies]
-        asked = f"more than the play of {limit:.3g} mm" if opening not in (0, 1) else "at rest"
+        asked = f"more than {limit:.3g} mm of play and snap" if opening not in (0, 1) else "at rest"
         return Finding(
             ERROR if opening in (0, 1) else WARNING, "overlap", tuple(names), float(depth), limit,
             f"{names[0]} and {names[1]} run {depth:.3f} mm into each other when opened to "
@@ -154,14 +157,26 @@ def _points(point):
     return () if np.isnan(point).any() else (tuple(point.tolist()),)
 
 
+def _common_hinges(bodies):
+    """(unit, index of the hinge) of all hinges between two bodies."""
+    return [
+        (unit, _HINGES[frozenset((one, two))])
+        for unit, one in bodies[0].members
+        for other, two in bodies[1].members
+        if unit == other and frozenset((one, two)) in _HINGES
+    ]
+
+
+def _misfit(bodies, misfits):
+    """Largest misfit (mm) of the hinges between two bodies; 0 if they have none."""
+    if misfits is None:
+        return 0.0
+    return max((float(misfits[place]) for place in _common_hinges(bodies)), default=0.0)
+
+
 def _cure(bodies, parameters):
     """The parameter that keeps two bodies apart: of their common hinge, or between layers."""
-    hinged = any(
-        unit == other and frozenset((name, name2)) in _HINGED
-        for unit, name in bodies[0].members
-        for other, name2 in bodies[1].members
-    )
-    if hinged:
+    if _common_hinges(bodies):
         return f"make GapLength larger than {parameters.gap_length:.3g} mm"
     return (
         f"make GapBetweenPlanes larger than {parameters.gap_between_planes:.3g} mm, or EdgeLength "

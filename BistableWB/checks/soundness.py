@@ -12,7 +12,8 @@ VOLUME_TOLERANCE = 0.005  # share by which a mesh's volume may differ from its s
 # Triangles lower than this (mm) are slivers: single precision, in which STL is written, loses them.
 LEAST_HEIGHT = 1e-5
 _REBUILD = "rebuild the solids, and report it if it stays so"
-_FLAT = -1 + 1e-9  # cosine between the normals of two triangles that lie on each other
+_TINY = 1e-9  # mm
+_FOLDED = 1 - 1e-9  # cosine of the angle below which neighbours lie on each other
 
 
 def check_mesh(name, mesh, tree):
@@ -83,19 +84,42 @@ def self_intersections(tree):
     mesh = tree.mesh
     scene = Scene([tree], np.eye(4)[None])
     _, first, second = scene.near_triangles([(0, 0)], 1e-6)
-    once = first < second
-    first, second = first[once], second[once]
-    crossing = np.zeros(len(first), bool)
     a, b = mesh.triangles[first], mesh.triangles[second]
-    for one, other, p, q in ((a, b, first, second), (b, a, second, first)):
-        hit, _, _ = triangles.edges_through(scene.corners[p], scene.corners[q])
+    common = (a[:, :, None] == b[:, None, :]).sum((1, 2))
+    neighbours, apart = np.flatnonzero(common == 2), np.flatnonzero(common < 2)
+    crossing = np.zeros(len(first), bool)
+    crossing[neighbours] = _folded(mesh.vertices, a[neighbours], b[neighbours])
+    for p, q in ((first[apart], second[apart]), (second[apart], first[apart])):
+        rows = np.flatnonzero(_straddle(scene, p, q))
+        hit, _, _ = triangles.edges_through(scene.corners[p[rows]], scene.corners[q[rows]])
+        one, other = mesh.triangles[p[rows]], mesh.triangles[q[rows]]
         shared = (one[:, :, None] == other[:, None, :]).any(2)
         free = ~shared & ~shared[:, [1, 2, 0]]  # an edge that starts at the other triangle meets it
-        crossing |= (hit & free).any(1)
-    neighbours = (a[:, :, None] == b[:, None, :]).any(2).sum(1) == 2
-    against = triangles.dot(scene.normals[first], scene.normals[second]) < _FLAT
-    crossing |= neighbours & against
+        crossing[apart[rows]] |= (hit & free).any(1)
     return scene.corners[first[crossing]].mean(1)
+
+
+def _straddle(scene, p, q):
+    """Whether triangles p have corners on both sides of the planes of triangles q: (n,) bool."""
+    above = np.matmul(scene.corners[p], scene.normals[q][:, :, None])[..., 0]
+    low, high = triangles.least_of_three(above), triangles.most_of_three(above)
+    return (low <= scene.heights[q] + _TINY) & (high >= scene.heights[q] - _TINY)
+
+
+def _folded(vertices, first, second):
+    """Whether neighbours with a common edge lie on each other, not side by side: (n,) bool."""
+    common = (first[:, :, None] == second[:, None, :]).any(2)
+    ends = first[common].reshape(-1, 2)
+    start = vertices[ends[:, 0]]
+    along = vertices[ends[:, 1]] - start
+    along /= np.maximum(np.linalg.norm(along, axis=1), 1e-30)[:, None]
+    sides = []
+    for one, other in ((first, second), (second, first)):
+        third = one[~(one[:, :, None] == other[:, None, :]).any(2)]
+        side = vertices[third] - start
+        side -= triangles.dot(side, along)[:, None] * along
+        sides.append(side / np.maximum(np.linalg.norm(side, axis=1), 1e-30)[:, None])
+    return triangles.dot(*sides) > _FOLDED
 
 
 def _is_closed_unoriented(indices):

@@ -123,7 +123,8 @@ class Scene:
         """Triangles nearer than ``reach`` mm by their bounds, for ``pairs`` (m, 2) of bodies.
 
         Returns (index of the pair, triangle of the first, triangle of the second body), each (n,);
-        triangles are rows of ``corners``. ``reach``: a number, or (m,).
+        triangles are rows of ``corners``. ``reach``: a number, or (m,). A body paired with itself
+        gives every two of its triangles once.
         """
         pairs = np.asarray(pairs, int).reshape(-1, 2)
         reach = np.broadcast_to(np.asarray(reach, np.float32), len(pairs))
@@ -145,6 +146,9 @@ class Scene:
             second = self._triangle(pairs[w, 1], b[done] - leaf_b[done])
             found.append((w, first, second))
             which, a, b = _below(which[~done], a[~done], b[~done], leaf_a[~done], leaf_b[~done])
+            once = (a < b) | ((a == b) & (a < self.leaf[pairs[which, 0]]))
+            once |= pairs[which, 0] != pairs[which, 1]
+            which, a, b = which[once], a[once], b[once]
         return _joined(found)
 
     def _triangle(self, body, leaf):

@@ -5,6 +5,7 @@ import numpy as np
 
 _CHUNK = 8192  # pairs at a time, so that intermediate results stay in the processor's cache
 _TINY = 1e-30
+_LEVEL = 1e-4  # mm from a plane that count as in it
 _NEXT = [1, 2, 0]
 
 
@@ -28,11 +29,12 @@ def planes(corners):
 def in_front(normals, heights, corners):
     """How far triangles (n, 3, 3) lie in front of planes, at least 0; inf for those behind: (n,).
 
-    Where two solids are nearest, some triangles there see each other's fronts.
+    Where two solids are nearest, some triangles there see each other's fronts; triangles in the
+    plane itself, of bodies that touch, count as in front.
     """
     above = np.matmul(corners, normals[..., None])[..., 0]
     low, high = least_of_three(above) - heights, most_of_three(above) - heights
-    return np.where(high > 0, np.maximum(low, 0), np.inf)
+    return np.where(high > -_LEVEL, np.maximum(low, 0), np.inf)
 
 
 def least_of_three(values):

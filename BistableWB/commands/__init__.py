@@ -3,39 +3,62 @@
 
 import FreeCADGui as Gui
 
-from .. import TRANSLATIONS
+from .. import ICONS, TRANSLATIONS
 from ..objects import type_of
 from .base import QT_TRANSLATE_NOOP
 from .create import CurveCommand, CurveOnSphere, NewTube, TrianglePlacement, Units
+from .drawing import DrawCurve
 from .files import OpenExample, ShowHelp
+from .hinges import HingeCoupon, HingeSet
+from .motion import Deploy
+from .output import Check, ExportPrint
+from .plots import Plots
 from .repair import Repair
 
 COMMANDS = (
     NewTube(),
+    DrawCurve(),
     CurveCommand(),
     CurveOnSphere(),
     TrianglePlacement(),
     Units(),
+    Deploy(),
+    Plots(),
+    HingeSet(),
+    HingeCoupon(),
+    ExportPrint(),
+    Check(),
     Repair(),
     OpenExample(),
     ShowHelp(),
 )
 
-_DESIGN = [NewTube.name, "Separator", CurveCommand.name, CurveOnSphere.name,
+_DESIGN = [NewTube.name, "Separator", DrawCurve.name, CurveCommand.name, CurveOnSphere.name,
            TrianglePlacement.name, Units.name]  # fmt: skip
+_PRINT = [Deploy.name, Plots.name, HingeSet.name, HingeCoupon.name, Check.name, ExportPrint.name]
 _REST = [OpenExample.name, Repair.name, ShowHelp.name]
 
 TOOLBARS = {
     QT_TRANSLATE_NOOP("Workbench", "Bistable design"): _DESIGN,
+    QT_TRANSLATE_NOOP("Workbench", "Bistable print"): _PRINT,
 }
 MENUS = {
-    QT_TRANSLATE_NOOP("Workbench", "&Bistable"): [*_DESIGN, "Separator", *_REST],
+    QT_TRANSLATE_NOOP("Workbench", "&Bistable"): [
+        *_DESIGN,
+        "Separator",
+        *_PRINT,
+        "Separator",
+        *_REST,
+    ],
 }
 
 # Type of the selected object -> commands that go on from it.
 CONTEXT = {
     "Bistable::Curve": [TrianglePlacement.name, Units.name],
     "Bistable::TrianglePlacement": [Units.name],
+    "Bistable::BistableUnit": [Deploy.name, Plots.name, HingeSet.name, ExportPrint.name],
+    "Bistable::HingeSet": [Deploy.name, Plots.name, Check.name, ExportPrint.name],
+    "Bistable::HingeCoupon": [Check.name, ExportPrint.name],
 }
 
 
@@ -43,12 +66,20 @@ def initialise(workbench):
     """Register the commands and lay out toolbars and menus of ``workbench``."""
     Gui.addLanguagePath(str(TRANSLATIONS))
     Gui.updateLocale()
+    _add_preferences()
     for command in COMMANDS:
         Gui.addCommand(command.name, command)
     for title, names in TOOLBARS.items():
         workbench.appendToolbar(title, names)
     for title, names in MENUS.items():
         workbench.appendMenu(title, names)
+
+
+def _add_preferences():
+    from ..taskpanels.preferences import PreferencesPage
+
+    Gui.addIcon("preferences-bistable", str(ICONS / "BistableWorkbench.svg"))
+    Gui.addPreferencePage(PreferencesPage, "Bistable")
 
 
 def context_menu(workbench, recipient):

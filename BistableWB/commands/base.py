@@ -97,11 +97,20 @@ class Script:
                 Gui.doCommand(line)
         except Exception as error:
             doc.abortTransaction()
-            App.Console.PrintError(f"{self.title}: {error}\n")
+            if is_cancel(error):
+                text = translate("Bistable", "{}: cancelled, the document is as it was.")
+                App.Console.PrintMessage(text.format(self.title) + "\n")
+            else:
+                App.Console.PrintError(f"{self.title}: {error}\n")
             return
         doc.commitTransaction()
         for line in self.in_view:
             Gui.doCommandGui(line)
+
+
+def is_cancel(error):
+    """Whether an error is the user's Esc while a progress bar ran."""
+    return isinstance(error, RuntimeError) and "abort" in str(error)
 
 
 def fit_view(isometric=False):

@@ -79,7 +79,11 @@ def _point(z):
 
 def _polyline(line, shift):
     layer = line.layer.upper()
-    groups = [(0, "POLYLINE"), (8, layer), (66, 1), *_point(0j), (70, int(line.closed))]
+    groups = [(0, "POLYLINE"), (8, layer)]
+    if line.look:
+        colour, line_type = _LAYERS[line.look]
+        groups += [(6, line_type), (62, colour)]
+    groups += [(66, 1), *_point(0j), (70, int(line.closed))]
     for z in (line.points + shift).tolist():
         groups += [(0, "VERTEX"), (8, layer), *_point(z)]
     return [*groups, (0, "SEQEND"), (8, layer)]

@@ -71,7 +71,8 @@ def chosen(sheets, page):
 
 
 def _path(line, base):
-    return f'<path d="M {_points(line.points, base)}{" Z" if line.closed else ""}"/>'
+    look = f' style="{_STYLES[line.look]}"' if line.look else ""
+    return f'<path d="M {_points(line.points, base)}{" Z" if line.closed else ""}"{look}/>'
 
 
 def _panels(sheet, base):

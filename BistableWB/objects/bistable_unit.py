@@ -8,12 +8,19 @@ import numpy as np
 import Part
 
 from ..origami import tube as tubes
+from ..origami.angles import angles_for
 from ..origami.creases import INDEX, PANELS
 from ..origami.ratios import DEFAULT_SHARE, RULES, RatioRule
+from ..origami.snap import PLA_STRAIN, barrier
+from ..origami.target_snap import TargetBarrier, TargetMargin
 from .base import BistableObject, Prop, Result, global_placement, require_link, set_result
 from .triangle_placement import TrianglePlacement, place_along
 
-_ALONE = ("Theta", "EdgeLength", "Omega")
+_ALONE = ("Theta", "EdgeLength", "Omega", "Thickness")
+_TARGETS = ("TargetMargin", "HingePlay", "StrainLimit", "TargetBarrier")
+# The inputs that shape the units of a tube, whatever the Deployment.
+SHAPING = ("RatioRule", "Ratio", "RatioShare", "HeightRatio", *_TARGETS)
+_BARRIER_STEPS = 25
 _FLAT_ENOUGH = 1e-7  # mm that a corner may lie off its panel's plane
 
 
@@ -30,13 +37,25 @@ class BistableUnit(BistableObject):
              "90° is a plane unit, less is a unit on a sphere", 90.0),
         Prop("Enumeration", "RatioRule", "Unit", "How the ratio ‖A'C'‖/‖AB‖ is chosen. Adaptive: "
              "by RatioShare, for every unit anew. Fixed: by Ratio. Exact: the ratio that closes "
-             "on a sphere. Paper: 1/2", list(RULES)),
+             "on a sphere. Paper: 1/2. TargetSnap: by TargetMargin, for every unit anew",
+             list(RULES)),
         Prop("Float", "Ratio", "Unit", "Ratio ‖A'C'‖/‖AB‖ of all units (setting it chooses the "
              "rule Fixed): at least sin(theta/2) and below 1; nearer to sin(theta/2) snaps harder",
              0.5),
         Prop("Float", "RatioShare", "Unit", "For the rule Adaptive: where the ratio lies between "
              "sin(theta/2) (0) and 1; smaller snaps harder", DEFAULT_SHARE),
         Prop("Float", "HeightRatio", "Unit", "‖AB‖ / h: edge length to height of the strip", 2.5),
+        Prop("Length", "Thickness", "Target snap", "Pitch of the single unit's thick panels (face "
+             "thickness + gap between planes), 1.8 mm for example; a tube takes it from its "
+             "triangles", 0.0),
+        Prop("Float", "TargetMargin", "Target snap", "Wanted snap margin: needed play / play of "
+             "the hinges. 1.5 is firm, below 1 is floppy", 1.5),
+        Prop("Length", "HingePlay", "Target snap", "Play of one hinge; 0.28 mm is that of the "
+             "hinges' defaults", 0.28),
+        Prop("Float", "StrainLimit", "Target snap", "Peak strain that the material bears: 0.02 "
+             "for PLA", PLA_STRAIN),
+        Prop("Float", "TargetBarrier", "Target snap", "Instead of a margin: wanted energy barrier "
+             "of the zero-thickness units, in EA·‖AB‖; 0 aims for TargetMargin", 0.0),
         Prop("FloatConstraint", "Deployment", "State", "0 is flat-folded, 1 is deployed; both "
              "exact, between them the state of least misfit", (1.0, 0.0, 1.0, 0.05)),
         Result("FloatList", "Alphas", "Results", "Angle alpha of every unit, degrees"),
@@ -47,6 +66,10 @@ class BistableUnit(BistableObject):
                "diagonal of a panel between flat and deployed"),
         Result("Float", "Residual", "Results", "Largest relative change of a panel edge: what the "
                "ratio rule leaves unclosed"),
+        Result("FloatList", "Barriers", "Results", "Energy barrier between the two states of "
+               "every unit without thickness, in EA·‖AB‖ (symmetric unit of its theta and ratio)"),
+        Result("StringList", "Warnings", "Results", "Which units cannot reach the target, and what "
+               "would help"),
     )  # fmt: skip
 
     def onChanged(self, obj, name):
@@ -56,16 +79,21 @@ class BistableUnit(BistableObject):
                 obj.RatioRule = "Fixed"  # whoever sets a ratio means it
         elif name == "Triangles" and "Omega" in obj.PropertiesList:
             for prop in _ALONE:
-                obj.setEditorMode(prop, 2 if obj.Triangles else 0)
+                if prop in obj.PropertiesList:
+                    obj.setEditorMode(prop, 2 if obj.Triangles else 0)
 
     def onDocumentRestored(self, obj):
         """Migrate, then set what the editor shows."""
         super().onDocumentRestored(obj)
+        if obj.getEnumerationsOfProperty("RatioRule") != list(RULES):
+            chosen = obj.RatioRule
+            obj.RatioRule = list(RULES)
+            obj.RatioRule = chosen
         self.onChanged(obj, "Triangles")
 
     def generate(self, obj):
         """Faces of all panels at `Deployment`, and the angles and ratios of the units."""
-        tube = tube_of(obj)
+        tube, warnings = _tube_and_warnings(obj)
         unit = tube.unit
         points = tube.state(obj.Deployment)
         set_result(
@@ -76,6 +104,8 @@ class BistableUnit(BistableObject):
             Ratios=np.broadcast_to(unit.ratio, len(unit)).tolist(),
             IsometryError=float(unit.isometry_error().max()),
             Residual=float(unit.residual().max()),
+            Barriers=_barriers(unit).tolist(),
+            Warnings=warnings,
         )
         if obj.Triangles is not None:
             matrix = np.array(global_placement(obj).inverse().toMatrix().A).reshape(4, 4)
@@ -92,6 +122,17 @@ def tube_of(obj):
     return tube_on(obj, placed, geometry)
 
 
+def _tube_and_warnings(obj):
+    tube = tube_of(obj)
+    if obj.RatioRule != "TargetSnap":
+        return tube, []
+    triangles = triangles_below(obj)
+    source = obj if triangles is None else triangles
+    return tube, _target(obj, source.EdgeLength.Value, source.Thickness.Value).choose(
+        tube.unit.theta
+    ).warnings
+
+
 def triangles_below(obj):
     """The TrianglePlacement of a BistableUnit object, None for a single unit."""
     if obj.Triangles is None:
@@ -103,12 +144,39 @@ def triangles_below(obj):
 def tube_on(obj, placed, geometry, tuning=None):
     """The `Tube` by the parameters of a BistableUnit object on a `Placement`."""
     return tubes.along(
-        placed, geometry.family, obj.HeightRatio, _rule(obj), geometry.sphere_radius, tuning
+        placed,
+        geometry.family,
+        obj.HeightRatio,
+        _rule(obj, placed.edge_length, placed.pitch),
+        geometry.sphere_radius,
+        tuning,
     )
 
 
-def _rule(obj):
-    return RatioRule(obj.RatioRule, obj.Ratio, obj.RatioShare)
+def _rule(obj, edge_length, pitch):
+    target = None if obj.RatioRule != "TargetSnap" else _target(obj, edge_length, pitch)
+    return RatioRule(obj.RatioRule, obj.Ratio, obj.RatioShare, target)
+
+
+def _target(obj, edge_length, pitch):
+    """What the rule TargetSnap aims for."""
+    if obj.TargetBarrier:
+        return TargetBarrier(obj.TargetBarrier)
+    if pitch == 0 and obj.Triangles is not None:
+        raise ValueError(
+            f"Thickness of {obj.Triangles.Label} is 0 mm, and without thickness there is no snap "
+            "margin: set it to face thickness + gap between planes, 1.8 mm for example, or "
+            "aim for a TargetBarrier."
+        )
+    return TargetMargin(edge_length, pitch, obj.TargetMargin, obj.HingePlay.Value, obj.StrainLimit)
+
+
+def _barriers(unit):
+    """Energy barriers (n,) in EA·‖AB‖ of the symmetric units with the same θ and ratio."""
+    theta = np.atleast_1d(unit.theta)
+    ratio = np.maximum(np.broadcast_to(unit.ratio, theta.shape), np.sin(theta / 2))
+    alpha, beta, _ = angles_for(theta, ratio)
+    return barrier(alpha, beta, _BARRIER_STEPS)[0]
 
 
 def _single_unit(obj):
@@ -123,7 +191,7 @@ def _single_unit(obj):
         np.array([math.radians(obj.Theta.Value)]),
         obj.EdgeLength.Value,
         obj.HeightRatio,
-        _rule(obj),
+        _rule(obj, obj.EdgeLength.Value, obj.Thickness.Value),
         math.radians(omega),
     )
 

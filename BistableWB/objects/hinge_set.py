@@ -7,10 +7,13 @@ import FreeCAD as App
 import numpy as np
 import Part
 
+from ..checks import ERROR
+from ..checks.bed import Bed, check_bed, split
 from ..origami.creases import BODIES
 from ..origami.linkage import ThickUnit
 from ..origami.snap import assess
 from ..origami.thick_tube import ThickTube, thick_tube
+from ..solids.joint import part_bodies
 from ..solids.support import support_body
 from ..solids.tube import tube_bodies
 from .base import BistableObject, Prop, Result, require_link, set_result
@@ -33,6 +36,12 @@ class HingeSet(BistableObject):
              "exactly when deployed; without it they do not snap", True),
         Prop("Enumeration", "Orientation", "Printer", "Flat: layers horizontal, gaps filled with "
              "soluble support. OnEdge: layers vertical", ["Flat", "OnEdge"]),
+        Prop("Vector", "Bed", "Printer", "Room of the printer (width, depth, height in mm), to "
+             "refuse a print that is too large; 0, 0, 0: not checked", App.Vector(0, 0, 0)),
+        Prop("Integer", "FirstUnit", "Part of the tube", "First unit of this print, counted from "
+             "1: a long tube is printed in parts that are joined at their contact blocks", 1),
+        Prop("Integer", "LastUnit", "Part of the tube", "Last unit of this print; 0: the last of "
+             "the tube", 0),
         Prop("Bool", "Support", "Printer", "Export a body of soluble support that fills the gaps "
              "between the panels", False),
         Prop("FloatConstraint", "Deployment", "State", "0 is the flat-folded print on the bed, 1 "
@@ -88,9 +97,10 @@ class HingeSet(BistableObject):
                 f"RotationAngle is {obj.RotationAngle.Value:.6g}°: a tube is printed flat-folded, "
                 "set it to 0°; coupons can be printed partly open."
             )
-        key = (parameters, obj.Compensate, *_inputs(unit))
+        units, bed = (obj.FirstUnit, obj.LastUnit), tuple(obj.Bed)
+        key = (parameters, obj.Compensate, units, bed, *_inputs(unit))
         if getattr(self, "_key", None) != key:
-            self._model = _make_model(unit, parameters, obj.Compensate)
+            self._model = _make_model(unit, parameters, obj.Compensate, units, bed)
             self._key = key
         return self._model
 
@@ -143,19 +153,52 @@ def _moved(shape, placement):
     return moved
 
 
-def _make_model(unit, parameters, compensate):
+def _make_model(unit, parameters, compensate, units, bed):
     parameters.check()
-    tube, warnings = _thick(unit, parameters, compensate)
+    whole, warnings = _thick(unit, parameters, compensate)
+    first, last = _range(units, len(whole.tube))
+    part = whole.part(first, last)
+    _check_bed(part, parameters, bed, first)
     notes = []
     indicator = App.Base.ProgressIndicator()
-    indicator.start("Hinged solids…", len(tube.tube))
+    indicator.start("Hinged solids…", len(part.tube))
+
+    def progress(*_):
+        indicator.next(True)
+
+    left = whole.tube.incoming_left
     try:
-        bodies = tube_bodies(
-            tube.thick, parameters, tube.tube.incoming_left, lambda *_: indicator.next(True), notes
-        )
+        if part is whole:
+            bodies = tube_bodies(whole.thick, parameters, left, progress, notes)
+        else:
+            bodies = part_bodies(whole.thick, parameters, first, last, left, progress)
     finally:
         indicator.stop()
-    return Model(tube, parameters, bodies, [*warnings, *_gathered(notes)])
+    return Model(part, parameters, bodies, [*warnings, *_gathered(notes)])
+
+
+def _range(units, count):
+    """First and last unit, counted from 0, of the properties FirstUnit and LastUnit."""
+    first, last = units[0] - 1, (units[1] or count) - 1
+    if not 0 <= first <= last < count:
+        raise ValueError(
+            f"FirstUnit {units[0]} and LastUnit {units[1]} do not name units of a tube of {count}: "
+            f"set FirstUnit to 1 or more and LastUnit to at most {count} (0: the last)."
+        )
+    return first, last
+
+
+def _check_bed(tube, parameters, bed, first):
+    """ValueError where the print does not fit a given bed, with the parts that would."""
+    if not any(bed):
+        return
+    room = Bed(*bed)
+    finding = check_bed(tube.thick, parameters, room, tube.tube.incoming_left)[0]
+    if finding.severity == ERROR:
+        runs = split(tube.thick, parameters, room, tube.tube.incoming_left)
+        parts = ", ".join(f"{a + first + 1}–{b + first + 1}" for a, b in runs)
+        cure = f"set FirstUnit and LastUnit to print the parts {parts}" if runs else finding.cure
+        raise ValueError(f"Bed: {finding.message} Cure: {cure}.")
 
 
 def _gathered(sentences):

@@ -9,8 +9,8 @@ change is zero: those states are taken from the unit itself, exactly.
 import numpy as np
 
 from . import rigid
+from .closed_forms import BARS, bar_lengths
 from .creases import INDEX, PANELS, VERTICES
-from .unit import BARS, bar_lengths
 
 _FREE = [INDEX[name] for name in ("C_upper", "C_lower", "P_upper", "P_lower")]
 _COLUMN = {vertex: 3 * k for k, vertex in enumerate(_FREE)}

@@ -7,8 +7,6 @@ are the deployed C' and P (12) and the flat vertices (20); equations the equal l
 and one diagonal a quadrilateral (24) and the planarity of the two deployed border panels (2).
 On every solution these have rank 24, so each Gauss-Newton step is the minimum-norm solution of
 the 24 leading equations. Units are independent: everything is batched over them.
-
-`unit` offers `general_unit` to callers, so this module imports `unit` inside functions only.
 """
 
 from itertools import pairwise
@@ -17,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .bezier import normalised
+from .closed_forms import Unit, plane_unit
 from .contacts import check_opening, normalised_contacts
 from .creases import INDEX, PANELS
 from .errors import require
@@ -157,8 +156,6 @@ def _bases(quads, unfolded):
 
 def _place_c(deployed, flat, ratio, level, drop):
     """Write C' of both ends; returns θ of the upper level base."""
-    from .unit import plane_unit
-
     theta = level["upper"].theta
     check_opening(theta)
     i, j = INDEX["C_upper"], INDEX["B_upper"]
@@ -183,8 +180,6 @@ def _place_apex(deployed, flat, ratio, end, base):
     put P on the line 2 P·(C' − c B) = 2 c σ + C'² − σ − c², and p_x = P·B + σ in the flat state.
     The start takes the point of that line with the apex height p_z of `plane_unit`.
     """
-    from .unit import plane_unit
-
     model = plane_unit(base.theta, ratio, 1.0, 1.0)
     height = model.flat[:, INDEX["P_upper"], 2] - 0.5
     near = model.deployed[:, INDEX["P_upper"]][:, [0, 2]] - [0, 0.5]
@@ -332,8 +327,6 @@ def _ratio(flat):
 
 
 def _as_unit(deployed, flat, theta, origin, scale, single):
-    from .unit import Unit
-
     def corner(at, first, second):
         u, v = (normalised(flat[:, INDEX[k]] - flat[:, INDEX[at]]) for k in (first, second))
         return np.arctan2(np.linalg.norm(np.cross(u, v), axis=-1), (u * v).sum(-1))

@@ -3,9 +3,14 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from . import plan
 from .creases import CREASES, LAYER_HEIGHT_IN_PITCHES, LINKS, PANELS, kind_of, layer_of
 from .hinge_plan import Hinge, TooSmall, finish
+
+# mm. Axes almost parallel to each other (by 1e-7) are neither parallel nor not to a CAD kernel.
+_GRID = 1e-4
 
 
 def unit_layout(axes, parameters, edge_length=None):
@@ -55,7 +60,8 @@ def _growth(hinges, parameters):
 
 def _axes_of(axes, parameters):
     ends = {}
-    for crease, ((x0, _, z0), (x1, _, z1)) in zip(CREASES, axes.tolist(), strict=True):
+    on_grid = np.round(axes / _GRID) * _GRID
+    for crease, ((x0, _, z0), (x1, _, z1)) in zip(CREASES, on_grid.tolist(), strict=True):
         ends[crease.name] = complex(x0, z0), complex(x1, z1)
     hinges = {}
     for crease in CREASES:

@@ -74,6 +74,12 @@ class ThickUnit:
     def __len__(self):
         return len(self.unit)
 
+    def __getitem__(self, units):
+        """A smaller batch (a slice of units), shifts kept."""
+        return ThickUnit(
+            self.unit[units], self.face_thickness, self.gap_between_planes, self.shifts[units]
+        )
+
     @property
     def shifts(self):
         """Shifts across the axes of their start and end, mm: (23, 2)."""

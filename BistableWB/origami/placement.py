@@ -57,14 +57,13 @@ class Placement:
         """Ends of the contact segments' mid-lines, start and joint: (n + 1, 2, 3)."""
         return np.stack([self.midpoints - self.reaches, self.midpoints + self.reaches], 1)
 
-    def first(self, count):
-        """The placement of the first ``count`` units at most."""
-        if count >= len(self):
-            return self
-        ends = {"points": count + 2, "thetas": count, "sides": count}
+    def between(self, first, last):
+        """The placement of units ``first`` … ``last``, counted from 0, at most those there are."""
+        last = min(last, len(self) - 1)
+        ends = {"points": last + 3, "thetas": last + 1, "sides": last + 1}
         of_blocks = ("midpoints", "parameters", "lengths", "reaches", "legs")
-        ends |= dict.fromkeys(of_blocks, count + 1)
-        return replace(self, **{name: getattr(self, name)[:end] for name, end in ends.items()})
+        ends |= dict.fromkeys(of_blocks, last + 2)
+        return replace(self, **{name: getattr(self, name)[first:end] for name, end in ends.items()})
 
     @property
     def followed(self):

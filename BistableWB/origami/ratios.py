@@ -7,7 +7,7 @@ import numpy as np
 
 from .angles import exact_sphere_ratio, half_opening
 
-RULES = ("Adaptive", "Fixed", "Exact", "Paper")
+RULES = ("Adaptive", "Fixed", "Exact", "Paper", "TargetSnap")
 SPHERE_RULES = ("Exact", "Paper")
 DEFAULT_SHARE = 0.03
 
@@ -18,12 +18,14 @@ class RatioRule:
 
     Adaptive: c lies at the fraction ``share`` of the way from sin(θ/2) to 1, so that it is in
     range for every θ. Fixed: the given ``ratio``. Exact: 1/(3 − 4 sin²(θ/2)), which closes on a
-    sphere. Paper: 1/2.
+    sphere. Paper: 1/2. TargetSnap: as ``target`` chooses, a `target_snap.TargetMargin` or
+    `target_snap.TargetBarrier`.
     """
 
     name: str = "Adaptive"
     ratio: float | None = None
     share: float = DEFAULT_SHARE
+    target: object = None
 
     def ratios(self, theta):
         """Ratios for ``theta`` (radians, scalar or array); ValueError for a bad rule or number."""
@@ -41,13 +43,15 @@ class RatioRule:
             return exact_sphere_ratio(theta)
         if self.name == "Paper":
             return 0.5
+        if self.name == "TargetSnap":
+            return self.target.ratios(theta)
         raise ValueError(f"RatioRule {self.name!r} is unknown: choose one of {', '.join(RULES)}.")
 
     def for_sphere(self):
         """The rule's name for `unit.sphere_unit`; ValueError for a rule that does not close."""
         if self.name not in SPHERE_RULES:
             raise ValueError(
-                f"RatioRule {self.name} does not close on a sphere: choose Exact (or Paper for the "
-                "paper's 1/2)."
+                f"RatioRule {self.name} does not close on a sphere, where theta leaves no choice "
+                "of ratio: choose Exact (or Paper for the paper's 1/2)."
             )
         return self.name.lower()

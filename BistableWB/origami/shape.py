@@ -10,6 +10,7 @@ from functools import cache
 import numpy as np
 
 from .bezier import normalised
+from .closed_forms import plane_unit
 from .contacts import INPUT_SLACK, THINNEST
 from .creases import CREASES, INDEX, PANELS
 from .errors import require
@@ -61,8 +62,6 @@ def _fold_sines(deployed):
 @cache
 def _model_signs():
     """Signs of corner and fold sines of every plane unit (they do not depend on θ, c and h)."""
-    from .unit import plane_unit
-
     model = plane_unit(np.array([0.7]), 0.6, 1.0, 0.4)
     return np.sign(_corner_sines(model.flat)), np.sign(_fold_sines(model.deployed))
 

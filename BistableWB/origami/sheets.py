@@ -15,6 +15,7 @@ from .skin import OUTWARD
 CUT, LABEL, SHEET = "cut", "label", "sheet"
 LAYERS = (CUT, MOUNTAIN, VALLEY, LABEL, SHEET)
 DIN = {"A4": (297, 210), "A3": (420, 297), "A2": (594, 420), "A1": (841, 594), "A0": (1189, 841)}
+SMALLEST = (170, 60)  # mm: the legend's width, and something above it
 MARGIN, GAP, FOOTER = 8.0, 5.0, 12.0
 SCALE_BAR = 50.0
 _SMALLEST_TEXT = 1.1  # mm
@@ -22,11 +23,12 @@ _TEXT_WIDTH = 0.85  # of its size, per letter
 
 
 class Line(NamedTuple):
-    """A line through ``points`` on a layer."""
+    """A line through ``points`` on a layer; ``look``: the layer that it looks like, if another."""
 
     layer: str
     points: np.ndarray
     closed: bool = False
+    look: str = ""
 
 
 class Text(NamedTuple):
@@ -90,11 +92,10 @@ def sheet_size(sheet):
         width, height = (float(v) for v in pair)
     except (TypeError, ValueError, AttributeError):
         width = height = np.nan
-    least = 2 * MARGIN + FOOTER + SCALE_BAR
-    if not (least <= width < np.inf and least <= height < np.inf):
+    if not (SMALLEST[0] <= width < np.inf and SMALLEST[1] <= height < np.inf):
         raise ValueError(
             f"Sheet {sheet!r} is unknown: use {', '.join(DIN)}, or width x height in mm such as "
-            f"600x400, each at least {least:.0f}."
+            f"600x400, at least {SMALLEST[0]} x {SMALLEST[1]}."
         )
     return width, height
 
@@ -290,7 +291,8 @@ def _footer(size, title, number, count):
     texts.append(Text(SHEET, f"{SCALE_BAR:g} mm", complex(x + SCALE_BAR / 2, base + 2.6), 0.0, 2.2))
     for layer in (VALLEY, MOUNTAIN, CUT):
         x -= 34
-        lines.append(Line(layer, np.array([x + 1j * base, x + 12 + 1j * base])))
+        ends = np.array([x + 1j * base, x + 12 + 1j * base])
+        lines.append(Line(SHEET, ends, look=layer))  # not on its layer: it is not to be cut
         left_aligned(layer, x + 13.5, 2.2)
     room = (x - MARGIN - 4) / (_TEXT_WIDTH * 2.4)
     sheet = f"  {number}/{count}"

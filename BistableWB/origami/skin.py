@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .closed_forms import plane_unit
 from .creases import INDEX, PANELS, VERTICES, layer_of
-from .unit import plane_unit
 
 # Corners of neighbouring units nearer to each other than this share of ‖AB‖ are one vertex.
 _SAME = 1e-6

@@ -47,6 +47,17 @@ class ThickTube:
         lines = block_lines(self.thick, self.tube.incoming_left, self._end)
         return rigid.fit(lines.reshape(-1, 3), self.placement.segments.reshape(-1, 3))
 
+    def part(self, first, last):
+        """The tube of units ``first`` … ``last``, counted from 0; itself if these are all."""
+        if (first, last) == (0, len(self.tube) - 1):
+            return self
+        units = slice(first, last + 1)
+        tube = Tube(
+            self.tube.unit[units], self.tube.frames[units], self.tube.incoming_left[units]
+        )
+        placed = self.placement and self.placement.between(first, last)
+        return ThickTube(tube, self.thick[units], placed)
+
     def deviation(self):
         """Largest distance (mm) of a deployed block's mid-line from its place on the curve."""
         if self.placement is None:
@@ -77,7 +88,7 @@ def thick_tube(place, make_tube, face_thickness, gap_between_planes, compensate=
     for _ in range(_ROUNDS):
         placed = place(tuning)
         count = count or len(placed)
-        placed = placed.first(count)
+        placed = placed.between(0, count - 1)
         tube = make_tube(placed, tuning)
         thick = ThickUnit(tube.unit, face_thickness, gap_between_planes)
         if not compensate:

@@ -1,219 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A bistable unit: ten vertices in two congruent states, flat and deployed.
 
-One class for the plane unit (section 3.2 of the paper), the spherical unit (section 4) and the
-general unit; they differ only in the function that makes their two vertex sets. A `Unit` holds
-one unit or a batch: arrays are (10, 3) or (n, 10, 3), and everything here is batched.
+One class, `Unit`, and three functions that make it: `plane_unit`, `sphere_unit` and
+`general_unit`. `VERTICES` and `PANELS` name what it is made of.
 """
 
-from dataclasses import dataclass, replace
-from itertools import combinations
-
-import numpy as np
-
-from . import angles
-from .creases import INDEX, PANELS, VERTICES
-from .errors import require
-
-__all__ = ["BARS", "PANELS", "VERTICES", "Unit", "general_unit", "plane_unit", "sphere_unit"]
-
-# Every panel edge and every diagonal of a quadrilateral, as index pairs, each once.
-BARS = np.array(
-    sorted(
-        {
-            tuple(sorted((INDEX[a], INDEX[b])))
-            for corners in PANELS.values()
-            for a, b in combinations(corners, 2)
-        }
-    )
+from .closed_forms import (
+    BARS,
+    IS_EDGE,
+    Unit,
+    bar_lengths,
+    contact_radius,
+    outer_radius,
+    plane_unit,
+    sphere_unit,
 )
+from .creases import PANELS, VERTICES
+from .general import general_unit
 
-_EDGES = {
-    tuple(sorted((INDEX[a], INDEX[b])))
-    for corners in PANELS.values()
-    for a, b in zip(corners, (*corners[1:], corners[0]), strict=True)
-}
-IS_EDGE = np.array([tuple(bar) in _EDGES for bar in BARS.tolist()])
-
-
-@dataclass(frozen=True)
-class Unit:
-    """Vertices of one unit (or a batch) in its own frame, rows in the order of `VERTICES`.
-
-    ``flat``, ``deployed``: (…, 10, 3) in the unit of ``edge_length``; ``theta`` (radians),
-    ``ratio``, ``alpha``, ``beta``, ``beta_prime``: scalars or arrays of the batch's shape;
-    ``omega`` is the base angle of the contact trapezoids: None for a plane unit, else like theta.
-    """
-
-    flat: np.ndarray
-    deployed: np.ndarray
-    theta: np.ndarray
-    ratio: np.ndarray
-    alpha: np.ndarray
-    beta: np.ndarray
-    beta_prime: np.ndarray
-    edge_length: float
-    strip_height: float
-    omega: np.ndarray | None = None
-
-    def __len__(self):
-        return self.flat.shape[0] if self.flat.ndim == 3 else 1
-
-    def __getitem__(self, index):
-        """One unit, or a smaller batch, of a batch."""
-        names = ("flat", "deployed", "theta", "ratio", "alpha", "beta", "beta_prime")
-        if self.omega is not None:
-            names = (*names, "omega")
-        return replace(self, **{name: getattr(self, name)[index] for name in names})
-
-    def isometry_error(self):
-        """Largest relative change of any panel edge or diagonal between the two states."""
-        before, after = bar_lengths(self.flat), bar_lengths(self.deployed)
-        return (np.abs(after - before) / before).max(-1)[()]
-
-    def residual(self):
-        """Largest relative change of any panel *edge*: what the ratio rule leaves unclosed.
-
-        For the paper's rule on a sphere this is the leg at C' (1.2 % at ω = 70°, θ = 50°).
-        """
-        before, after = (
-            bar_lengths(self.flat)[..., IS_EDGE],
-            bar_lengths(self.deployed)[..., IS_EDGE],
-        )
-        return (np.abs(after - before) / before).max(-1)[()]
-
-
-def bar_lengths(points):
-    """Lengths of all `BARS`: (…, 10, 3) → (…, bars)."""
-    return np.linalg.norm(points[..., BARS[:, 0], :] - points[..., BARS[:, 1], :], axis=-1)
-
-
-def plane_unit(theta, ratio, edge_length, strip_height):
-    """The plane unit of section 3.2: legs parallel, contact and border panels rectangles.
-
-    ``theta`` radians and ``ratio`` c, scalars or (n,); ``edge_length`` ‖AB‖ and ``strip_height`` h
-    in one unit of length. Returns a `Unit`, isometric to rounding. ValueError outside
-    sin(θ/2) ≤ c < 1 or for lengths that are not positive.
-    """
-    _check_lengths(edge_length, strip_height)
-    theta, ratio = np.broadcast_arrays(np.asarray(theta, float), np.asarray(ratio, float))
-    found = angles.angles_for(theta, ratio)
-    flat, deployed = _upper_pyramid(theta, ratio, found[0])
-    shift = np.array([0, 0, strip_height / 2])
-    states = [
-        _with_lower(s * edge_length + shift, np.array([1, 1, -1.0])) for s in (flat, deployed)
-    ]
-    return Unit(*states, theta, ratio, *found, float(edge_length), float(strip_height))
-
-
-def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
-    """The spherical unit of section 4: legs meet at the sphere's centre V.
-
-    ``theta`` radians, scalar or (n,); ``edge_length`` is the outer (upper) ‖AB‖; ``omega`` the base
-    angle of the contact trapezoid, radians, scalar or (n,); ``strip_height`` h its height.
-    ``rule``: "exact" takes c = 1/(3 − 4 sin²(θ/2)), which closes to rounding; "paper" takes
-    c = 1/2, whose border legs change length (`Unit.isometry_error`). The lower (inner) sub-unit is
-    the upper one mirrored in its base plane and scaled about V by 1 − h/r.
-    ValueError outside 0 < θ ≤ 60°, 0 < ω < 90°, or where h leaves no inner base.
-    """
-    _check_lengths(edge_length, strip_height)
-    theta = np.asarray(theta, float)
-    omega = np.broadcast_to(np.asarray(omega, float), theta.shape)
-    angles.check_sphere_theta(theta)
-    if rule not in ("exact", "paper"):
-        raise ValueError(f"Ratio rule {rule!r} is unknown on a sphere: use 'exact' or 'paper'.")
-    radius = contact_radius(edge_length, omega)
-    require(
-        strip_height < radius,
-        "Strip height h = {value:.6g} is too large for omega {0:.4g}°: the inner base vanishes at "
-        "{1:.6g}; raise HeightRatio or omega (a larger sphere).",
-        strip_height,
-        np.degrees(omega),
-        radius,
-    )
-    ratio = angles.exact_sphere_ratio(theta) if rule == "exact" else np.full_like(theta, 0.5)
-    found = angles.angles_for(theta, ratio)
-    r = radius / edge_length
-    shift = np.array([0, 0, strip_height / 2])
-    scale = np.asarray(1 - strip_height / radius)[..., None, None]
-    # The centre V, seen from the base plane: in the flat state below the middle of A-B; deployed,
-    # below the centre of the circle through A_left, B, A_right (radius 1 / (2 cos t)).
-    t = theta / 2
-    rho = 1 / (2 * np.cos(t))
-    zero = np.zeros_like(theta)
-    depth = np.sqrt(r * r + 0.25 - rho * rho)
-    centres = (
-        np.stack([zero + 0.5, zero, zero - r], -1),
-        np.stack([np.cos(t) - rho, zero, -depth], -1),
-    )
-    states = []
-    for upper, centre in zip(_upper_pyramid(theta, ratio, found[0]), centres, strict=True):
-        mirrored = upper * np.array([1, 1, -1.0])
-        lower = centre[..., None, :] + scale * (mirrored - centre[..., None, :])
-        states.append(_interleave(upper * edge_length + shift, lower * edge_length + shift))
-    return Unit(*states, theta, ratio, *found, float(edge_length), float(strip_height), omega)
-
-
-def contact_radius(edge_length, omega):
-    """Radius r = (‖AB‖/2) tan ω of the sphere that carries the curve (midpoints of the A–B)."""
-    require(
-        np.isfinite(omega) & (omega > 0) & (omega < np.pi / 2),
-        "Base angle omega is {value:.6g}°: it must lie between 0° and 90°.",
-        np.degrees(omega),
-    )
-    return edge_length / 2 * np.tan(omega)
-
-
-def outer_radius(edge_length, omega):
-    """Radius R = ‖AB‖ / (2 cos ω) of the sphere that carries the outer corners."""
-    return edge_length / (2 * np.cos(omega))
-
-
-def _upper_pyramid(theta, ratio, alpha):
-    """Flat and deployed A_left, A_right, B, C', P of one sub-unit for ‖AB‖ = 1: (…, 5, 3) each."""
-    t = theta / 2
-    sigma = np.sin(t) ** 2
-    sin_a, cos_a = np.sin(alpha), np.cos(alpha)
-    b = angles.apex_distance(cos_a, ratio)
-    zero, one = np.zeros_like(theta), np.ones_like(theta)
-    flat = [
-        (zero, zero, zero), (zero, zero, zero), (one, zero, zero), (ratio, zero, zero),
-        (b * cos_a, zero, b * sin_a),
-    ]  # fmt: skip
-    reach = np.sqrt(np.clip(b * b - sigma, 0, None))
-    dart = np.sqrt(np.clip(ratio * ratio - sigma, 0, None))
-    deployed = [
-        (zero, -np.sin(t), zero), (zero, np.sin(t), zero), (np.cos(t), zero, zero),
-        (dart, zero, zero), (reach * cos_a, zero, reach * sin_a),
-    ]  # fmt: skip
-    return tuple(np.stack([np.stack(p, -1) for p in s], -2) for s in (flat, deployed))
-
-
-_SUBUNIT = ("A_left", "A_right", "B", "C", "P")
-_UPPER = [INDEX[f"{name}_upper"] for name in _SUBUNIT]
-_LOWER = [INDEX[f"{name}_lower"] for name in _SUBUNIT]
-
-
-def _interleave(upper, lower):
-    points = np.empty((*upper.shape[:-2], len(VERTICES), 3))
-    points[..., _UPPER, :] = upper
-    points[..., _LOWER, :] = lower
-    return points
-
-
-def _with_lower(upper, mirror):
-    return _interleave(upper, upper * mirror)
-
-
-def _check_lengths(edge_length, strip_height):
-    for name, cure, value in (
-        ("EdgeLength ‖AB‖", "set it to a length in mm above 0", edge_length),
-        ("Strip height h", "set HeightRatio ‖AB‖/h to a number above 0", strip_height),
-    ):
-        require(
-            np.isfinite(value) & (np.asarray(value) > 0), f"{name} is {{value:.6g}}: {cure}.", value
-        )
-
-
-# Last: `general` imports this module only when it is called, so there is no cycle.
-from .general import general_unit  # noqa: E402
+__all__ = [
+    "BARS", "IS_EDGE", "PANELS", "VERTICES", "Unit", "bar_lengths", "contact_radius",
+    "general_unit", "outer_radius", "plane_unit", "sphere_unit",
+]  # fmt: skip

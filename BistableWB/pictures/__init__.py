@@ -2,12 +2,26 @@
 """Pictures of a design for papers and reports: top view, both states, angles along the curve.
 
 Needs matplotlib, which is optional: `require` says so in one sentence. All functions take results
-of `origami`, write one file (.png, .svg or .pdf by its suffix) and return its path.
+of `origami` or meshes of `solids`, write one file (.png; .svg or .pdf too where nothing is shaded)
+and return its path.
 """
 
 from .charts import angle_chart
+from .hinge import hinge_detail
 from .page import NoMatplotlib, require
 from .plan import top_view
-from .states import both_states
+from .prints import openings, print_on_bed, stack_and_tube
+from .states import both_states, standing_view
 
-__all__ = ["NoMatplotlib", "angle_chart", "both_states", "require", "top_view"]
+__all__ = [
+    "NoMatplotlib",
+    "angle_chart",
+    "both_states",
+    "hinge_detail",
+    "openings",
+    "print_on_bed",
+    "require",
+    "stack_and_tube",
+    "standing_view",
+    "top_view",
+]

@@ -54,7 +54,7 @@ def figure(path, width, height):
     from matplotlib.figure import Figure
 
     with matplotlib.rc_context(_STYLE):
-        sheet = Figure(figsize=(width, height), facecolor="white")
+        sheet = Figure(figsize=(width, height), dpi=DPI, facecolor="white")
         FigureCanvasAgg(sheet)
         yield sheet
         sheet.savefig(path, dpi=DPI, metadata={"Software": None} if path.suffix == ".png" else None)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import colours
+from .raster import rasterise
 
 _SAMPLES = 3  # a pixel's side in samples: smooth edges
 _LIGHT = np.array([-0.30, 0.62, 0.70])  # from the viewer's upper left
@@ -56,15 +57,16 @@ def render(view, polygons, fills, resolution, line=1.2):
     left, bottom = left - margin, bottom - margin
     width = _SAMPLES * int(np.ceil((right + margin - left) * resolution))
     height = _SAMPLES * int(np.ceil((top + margin - bottom) * resolution))
-    depth = np.full((height, width), -np.inf, np.float32)
-    owner = np.full((height, width), -1, np.int32)
     shades = np.empty((len(polygons) + 1, 3), np.float32)
+    triangles, polygon_of = [], []
     for k, polygon in enumerate(polygons):
         seen = view.seen(polygon)
         shades[k] = np.array(colours.rgb(fills[k])) * _brightness(seen)
         seen = (seen - [left, bottom, 0]) * [scale, scale, 1]
-        for corner in range(1, len(seen) - 1):
-            _fill(depth, owner, k, seen[[0, corner, corner + 1]])
+        triangles += [seen[[0, corner, corner + 1]] for corner in range(1, len(seen) - 1)]
+        polygon_of += [k] * (len(seen) - 2)
+    depth, triangle = rasterise(np.array(triangles), width, height)
+    owner = np.array([*polygon_of, -1])[triangle]
     shading = _depth_shading(depth[::_SAMPLES, ::_SAMPLES], resolution)
     image = shades[owner] * np.kron(shading, np.ones((_SAMPLES, _SAMPLES), np.float32))[..., None]
     edges = _edges(owner, line * _SAMPLES)
@@ -81,26 +83,6 @@ def _brightness(seen):
     normal *= 1 if normal[2] >= 0 else -1
     light = _LIGHT / np.linalg.norm(_LIGHT)
     return _AMBIENT + (1.04 - _AMBIENT) * max(float(normal @ light), 0.0)
-
-
-def _fill(depth, owner, k, corners):
-    """Rasterise one triangle; ``corners`` (3, 3) in samples, nearness in mm."""
-    height, width = depth.shape
-    x0, y0 = np.maximum(np.floor(corners[:, :2].min(0)), 0).astype(int)
-    x1, y1 = np.minimum(np.ceil(corners[:, :2].max(0)) + 1, [width, height]).astype(int)
-    a, b, c = corners
-    area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-    if abs(area) < 1e-9 or x0 >= x1 or y0 >= y1:
-        return
-    x = np.arange(x0, x1)[None, :] + 0.5
-    y = np.arange(y0, y1)[:, None] + 0.5
-    v = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area
-    w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area
-    near = a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2])
-    window = (slice(y0, y1), slice(x0, x1))
-    visible = (v >= 0) & (w >= 0) & (v + w <= 1) & (near > depth[window])
-    depth[window][visible] = near[visible]
-    owner[window][visible] = k
 
 
 def _edges(owner, width):

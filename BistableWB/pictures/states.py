@@ -10,7 +10,7 @@ from ..origami import rigid
 from ..origami.bezier import normalised
 from ..origami.creases import INDEX, LAYER_HEIGHT_IN_PITCHES, PANELS, kind_of, layer_of
 from ..origami.deployment import contact_frame
-from . import rendering
+from . import rendering, stage
 from .page import DPI, blank_axes, figure, halo, round_length, scale_bar
 
 SHEET_PITCH = 1.8  # mm between the sheets of the flat state as drawn; the default hinges' pitch
@@ -35,7 +35,7 @@ def both_states(path, tube, sheet_pitch=SHEET_PITCH):
     ``sheet_pitch`` mm apart, in the order in which they are stacked in the print.
     """
     flat, deployed = _stack(tube, sheet_pitch), _in_own_frame(tube)
-    views = (_view(_turned_to_front(flat), _TURN), _deployed_view(deployed))
+    views = (stage.view_along(_turned_to_front(flat), _TURN, _ELEVATION), _deployed_view(deployed))
     scenes = [_polygons(flat, tube), _polygons(deployed, tube)]
     boxes = [rendering.bounds(v, p) for v, (p, _) in zip(views, scenes, strict=True)]
     sizes = np.array([[b[1] - b[0], b[3] - b[2]] for b in boxes])
@@ -68,15 +68,8 @@ def both_states(path, tube, sheet_pitch=SHEET_PITCH):
 
 def _deployed_view(points):
     if len(points) == 1:  # into the dart, past C'
-        return _view((1, 0, 0), -1.4 * _TURN)
-    return _view(_turned_to_front(points), _TURN)
-
-
-def _view(forward, turn):
-    """Camera that sees the xy plane from above its front, turned out of the front view."""
-    cos, sin = math.cos(turn), math.sin(turn)
-    forward = np.array([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]]) @ forward
-    return rendering.camera(forward, (0, 0, 1), _ELEVATION)
+        return stage.view_along((1, 0, 0), -1.4 * _TURN, _ELEVATION)
+    return stage.view_along(_turned_to_front(points), _TURN, _ELEVATION)
 
 
 def _turned_to_front(points):
@@ -93,16 +86,24 @@ def _turned_to_front(points):
     return -across if side > 0 else across
 
 
+def standing_view(tube):
+    """Direction (3,) of the deployed tube's legs, and the horizontal one from which to see it then.
+
+    The second counts in the frame in which `stage.upright` makes the legs stand.
+    """
+    points = tube.deployed()
+    legs = _legs(points)
+    return legs, _turned_to_front(points @ stage.upright(legs).T)
+
+
+def _legs(points):
+    return (points[:, INDEX["B_upper"]] - points[:, INDEX["B_lower"]]).mean(0)
+
+
 def _in_own_frame(tube):
     """Deployed vertices (n, 10, 3) with the strip's legs, on average, along z."""
     points = tube.deployed()
-    legs = points[:, INDEX["B_upper"]] - points[:, INDEX["B_lower"]]
-    up = normalised(legs.mean(0))
-    if up[2] > 1 - 1e-9:
-        return points
-    helper = np.array([1.0, 0, 0]) if abs(up[0]) < 0.9 else np.array([0, 1.0, 0])
-    right = normalised(helper - (helper @ up) * up)
-    return points @ np.stack([right, np.cross(up, right), up], 1)
+    return points @ stage.upright(_legs(points)).T
 
 
 def _stack(tube, pitch):

@@ -13,21 +13,12 @@ import Part
 from FreeCAD import Vector
 
 from ..origami import plan, print_stack
-from ..origami.linkage import ThickUnit
 from . import brep
 from .tube import BLOCK_INSET, in_print_plan, tube_bodies, tube_layouts
 
 DOWEL = 1.75  # mm, the diameter of filament
 DOWEL_PLAY = 0.2  # mm that a hole is wider
 DOWEL_PLACES = (0.2, 0.7)  # shares of the filler's length
-
-
-def units_of(thick, first, last):
-    """The `ThickUnit` of units ``first`` … ``last`` (counted from 0) of a batch, shifts kept."""
-    part = slice(first, last + 1)
-    return ThickUnit(
-        thick.unit[part], thick.face_thickness, thick.gap_between_planes, thick.shifts[part]
-    )
 
 
 def part_bodies(thick, parameters, first, last, incoming_left=None, progress=None):
@@ -38,7 +29,7 @@ def part_bodies(thick, parameters, first, last, incoming_left=None, progress=Non
     """
     count = len(thick)
     left = print_stack.alternating(count) if incoming_left is None else np.asarray(incoming_left)
-    part, own = units_of(thick, first, last), left[first : last + 1]
+    part, own = thick[first : last + 1], left[first : last + 1]
     bodies = tube_bodies(part, parameters, own, progress)
     layouts = tube_layouts(thick, parameters)
     whole, here = print_stack.frames(thick, left), print_stack.frames(part, own)

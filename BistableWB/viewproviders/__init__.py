@@ -11,6 +11,8 @@ VIEW_PROVIDERS = {
     "Bistable::Curve": ("lines", "CurveView"),
     "Bistable::TrianglePlacement": ("lines", "TrianglePlacementView"),
     "Bistable::BistableUnit": ("bistable_unit", "BistableUnitView"),
+    "Bistable::HingeSet": ("bodies", "HingeSetView"),
+    "Bistable::HingeCoupon": ("bodies", "BodiesView"),
 }
 _PLAIN = ("base", "BistableView")
 

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What all view providers share."""
 
+import FreeCAD as App
+import FreeCADGui as Gui
+
 from .. import ICONS
 
 
@@ -51,6 +54,31 @@ class BistableView:
                 if not any(elements):
                     claimed.append(target)
         return claimed
+
+    def doubleClicked(self, view_object):
+        """Edit the object in its panel."""
+        Gui.getDocument(view_object.Object.Document.Name).setEdit(view_object.Object.Name)
+        return True
+
+    def setEdit(self, view_object, mode):
+        """Open the panel; other modes (transform, colours) are FreeCAD's own."""
+        if mode != 0:
+            return None
+        from ..taskpanels.base import open_panel
+
+        return open_panel(view_object.Object)
+
+    def unsetEdit(self, view_object, mode):
+        """Close the panel."""
+        if mode != 0:
+            return None
+        Gui.Control.closeDialog()
+        return True
+
+    def setupContextMenu(self, view_object, menu):
+        """Offer the panel in the tree's menu."""
+        text = App.Qt.translate("BistablePanel", "Edit {}").format(view_object.Object.Label)
+        menu.addAction(text).triggered.connect(lambda: self.doubleClicked(view_object))
 
     def dumps(self):
         """Nothing of the proxy is saved."""

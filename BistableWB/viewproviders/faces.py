@@ -3,15 +3,15 @@
 
 import FreeCAD as App
 
-from .. import colours
 from ..origami.creases import PANELS, kind_of
+from . import settings
 
 NEEDS_REMINDER = App.Version()[0] == "0"
 
 
 def unit_colours():
     """RGB of the twelve faces of a unit, in the order of the crease table."""
-    return [colours.rgb(colours.PANELS[kind_of(panel)]) for panel in PANELS]
+    return [settings.panel_colour(kind_of(panel)) for panel in PANELS]
 
 
 def face_colours(view_object):

@@ -10,7 +10,7 @@ from BistableWB.checks.printing import Print
 from BistableWB.origami import print_stack, unit
 from BistableWB.origami.hinge_parameters import HingeParameters
 from BistableWB.origami.linkage import ThickUnit
-from BistableWB.solids.joint import DOWEL, dowel_places, part_bodies, units_of
+from BistableWB.solids.joint import DOWEL, dowel_places, part_bodies
 from BistableWB.solids.mesh import Mesh
 from BistableWB.solids.tessellation import placed_meshes
 from BistableWB.solids.tube import tube_bodies
@@ -175,7 +175,7 @@ def test_halves_of_a_cut_block_fit_and_take_dowels():
     # Laid on each other as in the whole tube, the halves meet in one plane and nowhere overlap.
     frames = (
         print_stack.frames(thick),
-        [print_stack.frames(units_of(thick, 2, 3), print_stack.alternating(4)[2:])],
+        [print_stack.frames(thick[2:4], print_stack.alternating(4)[2:])],
     )
     move = frames[0][2] @ np.linalg.inv(frames[1][0][0])
     move[2, 3] -= PARAMETERS.gap_between_planes / 2

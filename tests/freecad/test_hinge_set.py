@@ -1,11 +1,19 @@
 """HingeSet: parametric, valid solids, cheap Deployment, warnings and refusals."""
 
+import math
 import re
 
 import FreeCAD as App
 import pytest
 
 from BistableWB import make
+from BistableWB.origami.bezier import Bezier
+from BistableWB.origami.hinge_parameters import HingeParameters
+from BistableWB.origami.placement import place
+from BistableWB.origami.ratios import RatioRule
+from BistableWB.origami.thick_tube import thick_tube
+from BistableWB.origami.tube import along
+from BistableWB.solids.tube import tube_bodies
 
 PITCH, GAP = 1.8, 0.6
 SHORT = [(0, 0, 0), (40, 60, 0), (90, 60, 0), (130, 0, 0)]
@@ -177,3 +185,52 @@ def test_saved_and_reopened(doc, valid, tmp_path):
     valid(again)
     assert hinges.DeployedSize.y > 40
     App.closeDocument(again.Name)
+
+
+def test_part_of_a_tube_has_half_blocks_at_its_cuts(doc, tube, valid):
+    triangles, _, hinges = tube
+    whole = hinges.BodyCount
+    hinges.LastUnit = 2
+    valid(doc)
+    assert hinges.BodyCount == 2 * 15 - 1
+    assert sum(name.startswith("half_") for name in hinges.BodyNames) == 1
+    assert hinges.PrintSize.z == pytest.approx(2 * 4 * PITCH - GAP / 2, abs=1e-6)
+    hinges.FirstUnit, hinges.LastUnit = 2, 0
+    valid(doc)
+    assert hinges.BodyCount == whole - 14
+    assert hinges.Shape.BoundBox.ZMin == pytest.approx(0, abs=1e-6)
+    hinges.Deployment = 1
+    valid(doc)
+    assert hinges.CurveDeviation.Value < 1e-3
+
+
+def test_print_too_large_for_the_bed_names_the_parts(doc, tube, refused, valid):
+    triangles, _, hinges = tube
+    hinges.Bed = App.Vector(200, 200, 16)
+    sentence = refused(doc, hinges)
+    assert re.search(r"too large for the bed of 200 × 200 × 16 mm: 2 units fit", sentence)
+    assert f"parts 1–2, 3–{min(4, triangles.Count)}" in sentence
+    hinges.LastUnit = 2
+    valid(doc)
+    hinges.Bed = App.Vector(30, 30, 100)
+    assert "Not even one unit" in refused(doc, hinges)
+
+
+@pytest.mark.parametrize("units", [(0, 0), (3, 2), (1, 99), (-1, 2)])
+def test_range_of_units_that_are_not_there(doc, tube, refused, units):
+    hinges = tube[2]
+    hinges.FirstUnit, hinges.LastUnit = units
+    assert "FirstUnit" in refused(doc, hinges)
+
+
+def test_axes_almost_parallel_close(doc):
+    """Compensation may leave an axis 1e-7 off a panel's edge, which OCC cannot sew as it is."""
+    curve = Bezier([(0, 0), (200, 900), (1000, 900), (1200, 0)])
+    tube = thick_tube(
+        lambda tuning: place(curve, 60, math.radians(20), PITCH, extra=tuning.extra),
+        lambda placed, tuning: along(placed, "Plane", 2.5, RatioRule(share=0.03), tuning=tuning),
+        1.2,
+        GAP,
+    )
+    for k in (11, 59):
+        assert len(tube_bodies(tube.thick[k : k + 1], HingeParameters())) == 15

@@ -94,7 +94,7 @@ def test_cones_are_strips_of_triangles():
     mesh = mesh_of(shape)
     assert len(unpaired_edges(mesh.triangles)) == 0
     kernel = MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.05, AngularDeflection=0.3)
-    assert len(mesh.triangles) < kernel.CountFacets / 2
+    assert len(mesh.triangles) < 0.75 * kernel.CountFacets
     assert mesh.volume == pytest.approx(shape.Volume, rel=0.02)
 
 

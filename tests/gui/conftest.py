@@ -7,7 +7,7 @@ from pathlib import Path
 import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "build" / "screenshots"
 
@@ -60,8 +60,9 @@ def screenshot():
 
     def write(name):
         pump(0.5)
-        _show_tree()
-        pump(0.5)
+        if not Gui.Control.activeDialog():  # the tree and a panel share their place
+            _show_tree()
+            pump(0.5)
         picture = QtGui.QApplication.primaryScreen().grabWindow(0)
         assert picture.save(str(folder / f"{name}.png"))
         return picture.toImage()
@@ -92,6 +93,55 @@ def view_colours(path, size=(700, 500)):
         for x in range(0, image.width(), 2)
         for y in range(0, image.height(), 2)
     ]
+
+
+class Mouse:
+    """Sends what a hand on a mouse makes; positions are QPoints in the widget."""
+
+    LEFT, RIGHT = QtCore.Qt.LeftButton, QtCore.Qt.RightButton
+
+    @staticmethod
+    def send(widget, kind, where, button, held):
+        where = QtCore.QPointF(where)
+        event = QtGui.QMouseEvent(
+            kind, where, QtCore.QPointF(widget.mapToGlobal(where.toPoint())), button, held,
+            QtCore.Qt.NoModifier,
+        )  # fmt: skip
+        QtGui.QApplication.sendEvent(widget, event)
+        pump(0.05)
+
+    def move(self, widget, where, held=QtCore.Qt.NoButton):
+        self.send(widget, QtCore.QEvent.MouseMove, where, QtCore.Qt.NoButton, held)
+
+    def press(self, widget, where, button=QtCore.Qt.LeftButton):
+        self.send(widget, QtCore.QEvent.MouseButtonPress, where, button, button)
+
+    def release(self, widget, where, button=QtCore.Qt.LeftButton):
+        self.send(widget, QtCore.QEvent.MouseButtonRelease, where, button, QtCore.Qt.NoButton)
+
+    def click(self, widget, where, button=QtCore.Qt.LeftButton):
+        self.move(widget, where)
+        self.press(widget, where, button)
+        self.release(widget, where, button)
+
+    def double_click(self, widget, where):
+        self.click(widget, where)
+        kind, button = QtCore.QEvent.MouseButtonDblClick, QtCore.Qt.LeftButton
+        self.send(widget, kind, where, button, button)
+        self.release(widget, where)
+
+    def drag(self, widget, start, end):
+        self.move(widget, start)
+        self.press(widget, start)
+        for share in (0.3, 0.7, 1.0):
+            self.move(widget, start + (end - start) * share, QtCore.Qt.LeftButton)
+        self.release(widget, end)
+
+
+@pytest.fixture
+def mouse():
+    """A `Mouse`."""
+    return Mouse()
 
 
 @pytest.fixture

@@ -63,6 +63,7 @@ def test_toolbar_and_menu_hold_the_commands_with_icons(gui):
     shown = [a for a in bar.actions() if not a.isSeparator()]
     assert [a.text().replace("&", "") for a in shown] == [
         "New tube",
+        "Draw curve",
         "Curve",
         "Curve on sphere",
         "Triangle placement",

@@ -12,7 +12,9 @@ from BistableWB.origami.ratios import RatioRule
 
 pytest.importorskip("matplotlib")
 from BistableWB import pictures
-from BistableWB.pictures import rendering, states
+from BistableWB.pictures import hinge, page, prints, rendering, shading, stage, states
+from BistableWB.pictures.raster import rasterise
+from BistableWB.solids.mesh import Mesh, PlacedMesh
 
 FRONT = rendering.Camera(np.eye(3))  # looks down on the xy plane
 SQUARE = np.array([[0.0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]])
@@ -102,6 +104,105 @@ def test_pictures_are_made_for_tubes_of_any_size(arch, tmp_path):
         assert image.min() < 0.3
     vector = pictures.angle_chart(tmp_path / "angles.svg", [0.8], 0.5)
     assert vector.read_text().startswith("<?xml")
+
+
+def cube(size=10.0, at=(0.0, 0, 0)):
+    """`Mesh` of a cube, its outside outside."""
+    corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]) * size + at
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return Mesh(corners, np.array([t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]))
+
+
+def test_the_rasteriser_agrees_with_every_triangle_taken_by_itself():
+    corners = np.random.default_rng(5).uniform(-5, 45, (60, 3, 3))
+    near, owner = rasterise(corners, 40, 30)
+    y, x = np.mgrid[:30, :40] + 0.5
+    best = np.full((30, 40), -np.inf)
+    for a, b, c in corners:
+        m = np.stack([b - a, c - a])
+        share = np.stack([x - a[0], y - a[1]], -1) @ np.linalg.inv(m[:, :2])
+        inside = (share >= 0).all(-1) & (share.sum(-1) <= 1)
+        best = np.maximum(best, np.where(inside, a[2] + share @ m[:, 2], -np.inf))
+    assert ((owner >= 0) == np.isfinite(best)).all()
+    assert near[owner >= 0] == pytest.approx(best[owner >= 0], abs=1e-3)
+
+
+def test_neighbouring_triangles_leave_no_hole():
+    view = rendering.camera((0.3, 1, 0), (0, 0, 1), 0.5)
+    image, _ = shading.render_solids(view, [shading.Solid(cube().corners, "#ff0000")], 23)
+    alpha = image[..., 3]
+    for line in (*alpha, *alpha.T):
+        covered = np.flatnonzero(line > 0.5)
+        assert not len(covered) or (line[covered[0] : covered[-1] + 1] > 0.5).all()
+    assert alpha[0].max() == alpha[-1].max() == alpha[:, 0].max() == alpha[:, -1].max() == 0
+
+
+def test_a_cut_solid_shows_its_inside_filled():
+    solid = shading.Solid(cube().corners, "#ff0000")
+    image, extent = shading.render_solids(FRONT, [solid], 20, cut=((0, 0, 4), (0.2, 0, 1)))
+    middle = image[image.shape[0] // 2, :, :3][20:-20]
+    assert (middle[:, 0] > 0.5).all()
+    assert extent[1] - extent[0] == pytest.approx(10, abs=0.5)
+    corners, body = shading._cut_off(
+        solid.corners, np.zeros(12, int), np.array([0, 0, 4.0]), np.array([0, 0, 1.0])
+    )
+    assert corners[..., 2].max() == pytest.approx(4)
+    area = np.linalg.norm(
+        np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1
+    )
+    assert area.sum() / 2 == pytest.approx(100 + 4 * 40)
+    assert len(body) == len(corners)
+
+
+def test_a_solid_casts_its_shadow_on_the_ground_only_where_light_is_hidden():
+    view = rendering.camera((0, 1, 0), (0, 0, 1), 0.7)
+    ground = shading.Ground(np.array([-40.0, -40]), np.array([50.0, 50]), 0.0)
+    image, extent = shading.render_solids(
+        view, [shading.Solid(cube().corners, "#ff0000")], 8, [ground]
+    )
+
+    def brightness(point):
+        x, y, _ = view.seen(point)
+        row = image.shape[0] - 1 - int((y - extent[2]) * 8)
+        return image[row, int((x - extent[0]) * 8), :3].mean()
+
+    points = shading.shadow_points(view, [shading.Solid(cube().corners, "#ff0000")], 0.0)
+    assert brightness([-30, -30, 0]) == pytest.approx(1, abs=0.01)
+    assert brightness(0.3 * np.array([10, 5, 0]) + 0.7 * points[points[:, 0].argmax()]) < 0.9
+
+
+def placed(name, mesh, members=(), material="rigid"):
+    return PlacedMesh(name, mesh, np.eye(4), 0, members, material)
+
+
+def test_prints_are_drawn_without_clipping(tmp_path, monkeypatch):
+    from matplotlib.image import imread
+
+    from BistableWB.origami.hinge_parameters import HingeParameters
+
+    for module in (page, prints, hinge):
+        monkeypatch.setattr(module, "DPI", 60)
+    bodies = [
+        placed("unit01_primary_left_upper", cube(), ((0, "primary_left_upper"),)),
+        placed("unit01_link_B", cube(8, (0, 0, 12)), ((0, "link_B"),)),
+        placed("strip", cube(6, (0, 0, 22)), (), "flexible"),
+    ]
+    apart = [np.eye(4), np.eye(4), None]
+    apart[1] = apart[1] + np.outer([1, 0, 0, 0], [0, 0, 0, 40.0])
+    assert [stage.kind_of_body(body) for body in bodies] == ["primary", "link", "strip"]
+    both = pictures.stack_and_tube(tmp_path / "both.png", bodies, apart, (1, 0, 0), (0, 1, 0))
+    way = pictures.openings(tmp_path / "way.png", bodies[:2], {0: apart[:2], 0.5: apart[:2]})
+    bed = pictures.print_on_bed(tmp_path / "bed.png", [placed("plate", cube())])
+    names, axis = [body.name for body in bodies[:2]], np.array([[0, 0, 5.0], [10, 0, 5]])
+    close = pictures.hinge_detail(
+        tmp_path / "hinge.png", bodies[:2], apart[:2], names, axis, HingeParameters()
+    )
+    for path in (both, way, bed):
+        image = imread(path)[..., :3]
+        border = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]])
+        assert border.min() > 0.95, f"{path.name} is clipped"
+        assert image.min() < 0.3
+    assert imread(close)[..., :3].min() < 0.3
 
 
 def test_colours_of_panels_differ_in_lightness_too():

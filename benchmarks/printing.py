@@ -1,6 +1,6 @@
 """From a curve to the STL of a hinged tube, and its checks: seconds (CPU and wall) and memory.
 
-    .ci/in-freecad host --script benchmarks/bench_print.py [UNITS]
+    .ci/in-freecad host --script benchmarks/printing.py [UNITS]
 
 The units' angles all differ, so that no body is a copy of another unit's: the slowest case.
 """
@@ -34,14 +34,7 @@ def timed(what, work):
     return result
 
 
-def main(count):
-    parameters = HingeParameters()
-    thetas = np.radians(np.linspace(40, 50, count))
-    units = unit.plane_unit(thetas, 0.05 + thetas / np.radians(45) * 0.37, 60.0, 24.0)
-    thick = ThickUnit(units, parameters.face_thickness, parameters.gap_between_planes)
-    start = time.time()
-    thick = timed("compensation", thick.compensated)
-    bodies = timed("solids", lambda: tube_bodies(thick, parameters))
+def _files(bodies, count, start):
     exported = [Body(body.name, body.shape, (), None) for body in bodies]
     with tempfile.TemporaryDirectory() as folder:
         for suffix, write in ((".stl", stl.write), (".3mf", threemf.write)):
@@ -50,7 +43,17 @@ def main(count):
             print(f"{'':34} {path.stat().st_size / 1e6:7.1f} MB")
             if suffix == ".stl":
                 print(f"{count} units, {len(bodies)} bodies to STL: {time.time() - start:.1f} s")
-    del exported
+
+
+def main(count):
+    parameters = HingeParameters()
+    thetas = np.radians(np.linspace(40, 50, count))
+    units = unit.plane_unit(thetas, 0.05 + thetas / np.radians(45) * 0.37, 60.0, 24.0)
+    thick = ThickUnit(units, parameters.face_thickness, parameters.gap_between_planes)
+    start = time.time()
+    thick = timed("compensation", thick.compensated)
+    bodies = timed("solids", lambda: tube_bodies(thick, parameters))
+    _files(bodies, count, start)
     meshes = timed("meshes", lambda: placed_meshes(bodies))
     print(f"{'triangles':34} {sum(len(m.mesh.triangles) for m in meshes):7d}")
     volumes = [body.shape.Volume for body in bodies]

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that make what is printed: hinge sets and coupons."""
+
+from ..viewproviders import settings
+from . import chosen
+from .base import QT_TRANSLATE_NOOP, Command, Script, by_name, fit_view, translate
+
+UNIT = "Bistable::BistableUnit"
+
+
+class HingeSet(Command):
+    """Thick panels with hinges for the units of a tube."""
+
+    name = "Bistable_HingeSet"
+    icon = "HingeSet"
+    text = QT_TRANSLATE_NOOP("Bistable_HingeSet", "Hinge set")
+    tip = QT_TRANSLATE_NOOP(
+        "Bistable_HingeSet",
+        "Turn the selected bistable units into thick panels with print-in-place hinges, "
+        "flat-folded as they are printed",
+    )
+    shortcut = "O, H"
+
+    def IsActive(self):
+        """With units to make thick."""
+        return chosen.of_type(UNIT) is not None
+
+    def run(self):
+        """Make the solids and show them by themselves; Esc stops and leaves nothing behind."""
+        units = chosen.of_type(UNIT)
+        with Script(translate("Bistable_HingeSet", "Hinge set")) as script:
+            script.add(f"units = {by_name(units)}")
+            script.add("hinges = make.make_hinge_set(doc, units)")
+            for line in settings.hinge_lines("hinges"):
+                script.add(line)
+            # not left to recompute, within which nothing can be cancelled
+            script.add("hinges.Proxy.model(hinges)")
+            script.view("Gui.Selection.clearSelection()")
+            script.view("for part in hinges.OutListRecursive: part.ViewObject.Visibility = False")
+        fit_view(isometric=True)
+
+
+class HingeCoupon(Command):
+    """A small print to try a hinge with."""
+
+    name = "Bistable_HingeCoupon"
+    icon = "HingeCoupon"
+    text = QT_TRANSLATE_NOOP("Bistable_HingeCoupon", "Hinge coupon")
+    tip = QT_TRANSLATE_NOOP(
+        "Bistable_HingeCoupon",
+        "Make a small test print of one hinge: try it on your printer before printing a tube",
+    )
+    shortcut = "O, K"
+
+    def run(self):
+        """Make a dihedral coupon with the workbench's own hinge."""
+        with Script(translate("Bistable_HingeCoupon", "Hinge coupon")) as script:
+            script.add('coupon = make.make_hinge_coupon(doc, "Dihedral", preset=None)')
+            for line in settings.hinge_lines("coupon"):
+                script.add(line)
+            script.view("Gui.Selection.clearSelection()")
+        fit_view(isometric=True)

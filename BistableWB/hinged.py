@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is made and told of a hinged print: numbers, findings of the checks, pictures.
+
+Works on the recomputed HingeSet or HingeCoupon of a design; runs inside FreeCAD.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from . import pictures
+from .checks import ERROR, NOTE, WARNING, Finding
+from .checks.bed import Bed, check_bed
+from .checks.printing import Print
+from .origami import print_stack, rigid
+from .origami.creases import CREASES
+from .origami.linkage import ThickUnit
+from .solids.tessellation import placed_meshes
+
+_OPENINGS = (0, 0.25, 0.5, 0.75, 1)
+_CLOSE_UP = "AP_left_upper"  # the hinge of the close-up
+_FINE = 0.02, 0.12  # deflections of the close-up, mm and radians
+
+
+@dataclass(frozen=True)
+class PrintFacts:
+    """(name, value) pairs, `Finding` list, and a table of units: columns and rows of text."""
+
+    numbers: list
+    findings: list
+    columns: list
+    rows: list
+
+    @property
+    def errors(self):
+        """Sentences on what makes the print fail."""
+        return [str(finding) for finding in self.findings if finding.severity == ERROR]
+
+
+class HingedTube:
+    """A HingeSet object with the meshes of its bodies, which pictures and checks share."""
+
+    def __init__(self, obj):
+        self.obj, self.model = obj, obj.Proxy.model(obj)
+
+    @cached_property
+    def meshes(self):
+        """`PlacedMesh` of every body in the print frame."""
+        return placed_meshes(self.model.bodies)
+
+    def facts(self):
+        """`PrintFacts` by the object's results and the checks on its meshes."""
+        return PrintFacts(
+            [*_size_numbers(self.obj, self._volume), *self._motion_numbers()],
+            [*_warnings(self.obj), *self._findings()],
+            ["snap margin", "needed play", "peak strain"],
+            self._rows(),
+        )
+
+    def draw(self, draw):
+        """The pictures; ``draw(name, caption, function, *args)`` makes one."""
+        model, tube = self.model, self.model.tube
+        legs, forward = _upright(tube)
+        draw("print", "The flat-folded print and the deployed tube, in one light, at one scale",
+             pictures.stack_and_tube, self.meshes, model.motions(1), legs, forward)  # fmt: skip
+        first = [k for k, body in enumerate(model.bodies) if body.unit == 0]
+        bodies = [self.meshes[k] for k in first]
+        states = {o: _held(model.motions(o), first) for o in _OPENINGS}
+        draw("opening", "The first unit on its way from flat to deployed",
+             pictures.openings, bodies, states)  # fmt: skip
+        if model.parameters.hinge_type == "Rotational":
+            fine = placed_meshes([model.bodies[k] for k in first], *_FINE)
+            pair, axis = _hinge(model, fine)
+            draw("hinge", "A hinge close up, and cut along its axis",
+                 pictures.hinge_detail, fine, states[1], pair, axis, model.parameters)  # fmt: skip
+
+    @property
+    def _volume(self):
+        return sum(body.mesh.volume for body in self.meshes)
+
+    def _motion_numbers(self):
+        tube, snap = self.model.tube, self.model.snap
+        raw = ThickUnit(tube.thick.unit, tube.thick.face_thickness,
+                        tube.thick.gap_between_planes)  # fmt: skip
+        before, after = raw.misfit(1.0).max(), self.obj.DeployedMisfit.Value
+        numbers = [
+            ("deployed", _millimetres(self.obj.DeployedSize)),
+            ("misfit without compensation", f"{before:.2f} mm"),
+            ("misfit as it is", f"{after:.2g} mm" if after > 1e-6 else "none"),
+            ("snap margin", _range(np.atleast_1d(snap.margin), "{:.2f}")),
+            ("peak strain", _range(100 * np.atleast_1d(snap.strain), "{:.2f} %")),
+        ]
+        if tube.placement is not None:
+            off = self.obj.CurveDeviation.Value
+            numbers.insert(1, ("off the curve", f"{off:.2g} mm" if off > 1e-4 else "nowhere"))
+        return numbers
+
+    def _rows(self):
+        snap = self.model.snap
+        columns = (snap.margin, snap.needed_play, snap.strain)
+        return [
+            [f"{m:.2f}{' floppy' if m < 1 else ''}", f"{d:.2f} mm", f"{s:.2%}"]
+            for m, d, s in zip(*(np.atleast_1d(c) for c in columns), strict=True)
+        ]
+
+    def _findings(self):
+        """How firmly it snaps, and what the checks found."""
+        model, tube = self.model, self.model.tube
+        checked = Print(self.meshes, model.parameters)
+        found = check_bed(tube.thick, model.parameters, Bed(), tube.tube.incoming_left)
+        found += checked.check_soundness([body.shape.Volume for body in model.bodies])
+        if model.parameters.hinge_type == "Rotational":
+            moved = tube.motions(1.0)
+            found += checked.check_flat()
+            found += checked.check_poses(moved, 1.0, tube.thick.misfit(1.0))
+        return [self._snap_finding(), *found]
+
+    def _snap_finding(self):
+        margin = np.atleast_1d(self.model.snap.margin)
+        floppy, count = int((margin < 1).sum()), len(margin)
+        least = float(margin.min())
+        if not floppy:
+            each = "The unit snaps" if count == 1 else f"All {count} units snap"
+            text = "its hinges have no play" if np.isinf(least) else f"margin {least:.2f} or more"
+            return Finding(NOTE, "snap", (), least, 1.0, f"{each}: {text}.")
+        what = "The unit is" if count == 1 else f"{floppy} of {count} units are"
+        message = f"{what} floppy: the clearance of the hinges swallows the snap."
+        return Finding(WARNING, "snap", (), least, 1.0, message)
+
+
+class Coupon:
+    """A HingeCoupon object with the meshes of its bodies."""
+
+    def __init__(self, obj):
+        self.obj, self.bodies = obj, obj.Proxy.bodies(obj)
+
+    @cached_property
+    def meshes(self):
+        """`PlacedMesh` of every body as printed."""
+        return placed_meshes(self.bodies, *_FINE)
+
+    def facts(self):
+        """`PrintFacts` by the object's results."""
+        volume = sum(body.mesh.volume for body in self.meshes)
+        return PrintFacts(_size_numbers(self.obj, volume), _warnings(self.obj), [], [])
+
+    def draw(self, draw):
+        """The picture; ``draw(name, caption, function, *args)`` makes it."""
+        draw("coupon", "The test print on its bed", pictures.print_on_bed, self.meshes)
+
+
+def _size_numbers(obj, volume):
+    return [
+        ("moving bodies", str(obj.BodyCount)),
+        ("print", _millimetres(obj.PrintSize)),
+        ("material", f"{volume / 1000:.1f} cm³"),
+    ]
+
+
+def _warnings(obj):
+    return [Finding(WARNING, "warning", (), None, None, text) for text in obj.Warnings]
+
+
+def _millimetres(vector):
+    return f"{vector.x:.0f} × {vector.y:.0f} × {vector.z:.1f} mm"
+
+
+def _range(values, form):
+    low, high = values.min(), values.max()
+    if np.isinf(low):
+        return "no play"
+    same = form.format(low) == form.format(high)
+    return form.format(low) if same else f"{form.format(low)} … {form.format(high)}"
+
+
+def _upright(tube):
+    """Direction of the deployed tube's legs, and the horizontal one to look along; or None."""
+    if tube.placement is None:
+        return None, None
+    return pictures.standing_view(tube.tube)
+
+
+def _held(motions, chosen):
+    """Motions of the ``chosen`` bodies while the first of them stays in its place."""
+    back = np.linalg.inv(motions[chosen[0]])
+    return [None if motions[k] is None else back @ motions[k] for k in chosen]
+
+
+def _hinge(model, bodies):
+    """Names of the two bodies of the close-up's hinge, and its axis (2, 3) in the print frame."""
+    index = [crease.name for crease in CREASES].index(_CLOSE_UP)
+    thick = model.tube.thick
+    axes = np.asarray(thick.axes).reshape(-1, *np.shape(thick.axes)[-3:])
+    place = print_stack.frames(thick, model.tube.tube.incoming_left)[0]
+    pair = [
+        body.name for name in CREASES[index].bodies for body in bodies if (0, name) in body.members
+    ]
+    return pair, rigid.apply(place, axes[0, index])

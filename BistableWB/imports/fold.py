@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FOLD files of ours back into a single unit; see `exporters.fold`.
+
+The numbers in the file say which unit it is, its coordinates must agree with them.
+"""
+
+import json
+import math
+from typing import NamedTuple
+
+import FreeCAD as App
+import numpy as np
+
+from .. import make
+from ..origami import rigid, tube
+from ..origami.angles import exact_sphere_ratio
+from ..origami.ratios import RatioRule
+from .text import file_at, text_of
+
+_KEY = "bistable:units"
+_SAME = 1e-8  # of ‖AB‖
+_RATIO = 1e-9
+
+
+class SingleUnit(NamedTuple):
+    """A unit by itself: angles in degrees, lengths in mm.
+
+    ``rule`` of its ratio: "Fixed", "Exact" or "Paper"; ``place`` (4, 4): where the file has it.
+    """
+
+    theta: float
+    ratio: float
+    omega: float
+    edge_length: float
+    strip_height: float
+    rule: str
+    place: np.ndarray
+
+
+def import_fold(doc, path, unit=None):
+    """A BistableUnit object for one unit of a FOLD file of ours, where it stands in the file.
+
+    ``unit``: its number, from 1, in a file of several. The document is not recomputed.
+    """
+    read = read_unit(path, unit)
+    obj = make.make_bistable_unit(
+        doc,
+        theta=read.theta,
+        edge_length=read.edge_length,
+        height_ratio=read.edge_length / read.strip_height,
+        ratio=read.ratio,
+    )
+    obj.Omega = read.omega
+    obj.RatioRule = read.rule
+    obj.Placement = App.Placement(App.Matrix(*read.place.ravel().tolist()))
+    return obj
+
+
+def read_unit(path, unit=None):
+    """`SingleUnit` of a FOLD file of ours; ValueError for any other file or a changed one."""
+    path = file_at(path)
+    content = _content(path)
+    entry, number = _entry(content, unit, path)
+    try:
+        rows = [range(len(content["vertices_coords"]))[int(i)] for i in entry["vertices"]]
+        values = [float(entry[k]) for k in _NUMBERS]
+        points = np.array(content["vertices_coords"], float)[rows]
+    except (KeyError, TypeError, ValueError, IndexError) as error:
+        raise ValueError(
+            f"{path.name}: unit {number} in {_KEY} is broken ({error}): export the file again."
+        ) from error
+    if points.shape != (10, 3) or not np.isfinite(points).all():
+        raise ValueError(
+            f"{path.name}: unit {number} has no ten corners in space: export it again."
+        )
+    return _checked(values, points, path, number)
+
+
+_NUMBERS = ("theta", "ratio", "omega", "edge_length", "strip_height")
+
+
+def _content(path):
+    try:
+        content = json.loads(text_of(path, "FOLD"))
+    except json.JSONDecodeError as error:
+        raise ValueError(
+            f"{path.name} is not a whole FOLD file ({error}): save it again."
+        ) from error
+    if not isinstance(content, dict) or not any(key.startswith("file_") for key in content):
+        raise ValueError(f"{path.name} is not a FOLD file: choose a file that is.")
+    if not isinstance(content.get(_KEY), list) or not content[_KEY]:
+        creator = content.get("file_creator") or "another program"
+        raise ValueError(
+            f"{path.name} was made by {creator}: only FOLD files exported by Bistable Workbench "
+            "hold the units that can be read back."
+        )
+    return content
+
+
+def _entry(content, unit, path):
+    entries = content[_KEY]
+    if unit is None and len(entries) > 1:
+        raise ValueError(f"{path.name} holds {len(entries)} units: say which, 1 to {len(entries)}.")
+    number = 1 if unit is None else int(unit)
+    if not 1 <= number <= len(entries):
+        raise ValueError(f"{path.name} has no unit {number}: choose 1 to {len(entries)}.")
+    return entries[number - 1], number
+
+
+def _checked(values, points, path, number):
+    theta, ratio, omega, edge, height = values
+    if not (edge > 0 and height > 0 and all(map(math.isfinite, values))):
+        raise ValueError(f"{path.name}: unit {number} has lengths of 0 or less: export it again.")
+    rule = _rule(theta, ratio, omega)
+    family = "Plane" if omega == 90 else "Sphere"
+    if rule:
+        made = tube.make_unit(
+            family,
+            np.radians([theta]),
+            edge,
+            edge / height,
+            RatioRule(rule, ratio),
+            math.radians(omega),
+        )
+        place = rigid.fit(made.deployed[0], points)
+        off = np.abs(rigid.apply(place, made.deployed[0]) - points).max()
+        if off <= _SAME * edge:
+            return SingleUnit(theta, ratio, omega, edge, height, rule, place)
+    raise ValueError(
+        f"{path.name}: unit {number} is not the symmetric unit of its angles (it is one of a "
+        "general curve, or the file was changed): only plane and spherical units can be read back."
+    )
+
+
+def _rule(theta, ratio, omega):
+    """The rule that gives this ratio, None if no single unit has it."""
+    if omega == 90:
+        return "Fixed"
+    if not (0 < omega < 90 and 0 < theta <= 60):
+        return None
+    if abs(ratio - exact_sphere_ratio(math.radians(theta))) < _RATIO:
+        return "Exact"
+    return "Paper" if abs(ratio - 0.5) < _RATIO else None

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that opens and folds a tube: slider, play, colours, recording."""
+
+import time
+
+import FreeCADGui as Gui
+from pivy import coin
+from PySide import QtCore, QtGui
+
+from ..objects import type_of
+from ..viewproviders.motion import COLOURS, motion_of
+from .base import icon
+from .recording import Recorder
+from .texts import translate
+
+_STEPS = 1000
+_SECONDS = 3.0  # from flat to deployed
+_TICK = 15  # ms
+
+
+class DeployPanel:
+    """Moves Coin nodes in place of the object's shape. OK writes `Deployment`."""
+
+    def __init__(self, obj):
+        self.obj, self.doc = obj, obj.Document
+        self.view = Gui.getDocument(self.doc.Name).ActiveView
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("BistableDeploy")
+        self.form.setWindowTitle(translate("BistableDeploy", "Deploy {}").format(obj.Label))
+        self.form.setWindowIcon(icon("Deploy"))
+        self._build()
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            self.motion = motion_of(obj)
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
+        self._take_over()
+        self._timer = QtCore.QTimer(self.form)
+        self._timer.timeout.connect(self._tick)
+        self._forward, self._last, self._frames = True, 0.0, []
+        self.set_opening(obj.Deployment)
+
+    # what FreeCAD calls
+
+    def getStandardButtons(self):
+        """OK and Cancel."""
+        box = QtGui.QDialogButtonBox
+        return sum(int(getattr(b, "value", b)) for b in (box.Ok, box.Cancel))
+
+    def accept(self):
+        """OK: the object takes the opening shown."""
+        self._give_back()
+        if abs(self.opening - self.obj.Deployment) > 1e-9:
+            self.doc.openTransaction(translate("BistableDeploy", "Deploy"))
+            Gui.doCommand(f'doc = App.getDocument("{self.doc.Name}")')
+            Gui.doCommand(f"doc.{self.obj.Name}.Deployment = {round(self.opening, 4)!r}")
+            Gui.doCommand("doc.recompute()")
+            self.doc.commitTransaction()
+        return True
+
+    def reject(self):
+        """Cancel: everything is as it was."""
+        self._give_back()
+        return True
+
+    # the view
+
+    def _take_over(self):
+        """Show the motion instead of the object and of other states of the same tube."""
+        self.view.getSceneGraph().addChild(self.motion.root)
+        self._hidden = []
+        family = [self.obj]
+        if type_of(self.obj) == "Bistable::HingeSet":
+            family.append(self.obj.Unit)
+        for other in family:
+            switch = other.ViewObject.SwitchNode
+            self._hidden.append((switch, switch.whichChild.getValue()))
+            switch.whichChild = coin.SO_SWITCH_NONE
+
+    def _give_back(self):
+        self.stop()
+        self.recorder.cancel()
+        self.view.getSceneGraph().removeChild(self.motion.root)
+        for switch, child in self._hidden:
+            switch.whichChild = child
+
+    # the panel
+
+    def _build(self):
+        column = QtGui.QVBoxLayout(self.form)
+        row = QtGui.QHBoxLayout()
+        self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
+        self.slider.setObjectName("Opening")
+        self.slider.setRange(0, _STEPS)
+        self.slider.valueChanged.connect(self._slid)
+        row.addWidget(QtGui.QLabel(translate("BistableDeploy", "flat")))
+        row.addWidget(self.slider, 1)
+        row.addWidget(QtGui.QLabel(translate("BistableDeploy", "deployed")))
+        column.addLayout(row)
+        column.addLayout(self._play_row())
+        column.addWidget(self.colours)
+        self.text = QtGui.QLabel()
+        self.text.setObjectName("State")
+        self.text.setWordWrap(True)
+        column.addWidget(self.text)
+        self.recorder = Recorder(self)
+        column.addWidget(self.recorder.box)
+        column.addStretch(1)
+
+    def _play_row(self):
+        row = QtGui.QHBoxLayout()
+        self.play_button = QtGui.QPushButton(translate("BistableDeploy", "Play"))
+        self.play_button.setObjectName("Play")
+        self.play_button.setCheckable(True)
+        self.play_button.toggled.connect(lambda on: self.play() if on else self.stop())
+        self.loop = QtGui.QCheckBox(translate("BistableDeploy", "Loop"))
+        self.loop.setObjectName("Loop")
+        self.colours = QtGui.QComboBox()
+        self.colours.setObjectName("Colours")
+        self.colours.addItem(translate("BistableDeploy", "Colour: panels"), COLOURS[0])
+        self.colours.addItem(translate("BistableDeploy", "Colour: misfit"), COLOURS[1])
+        self.colours.currentIndexChanged.connect(self._recolour)
+        row.addWidget(self.play_button)
+        row.addWidget(self.loop)
+        row.addStretch(1)
+        return row
+
+    @property
+    def opening(self):
+        """The opening shown, 0 flat … 1 deployed."""
+        return self._opening
+
+    def set_opening(self, opening):
+        """Show an opening, in the view and on the slider."""
+        self._opening = min(1.0, max(0.0, opening))
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(self._opening * _STEPS))
+        self.slider.blockSignals(False)
+        self.motion.show(self._opening)
+        self._tell()
+
+    def _slid(self, step):
+        self.set_opening(step / _STEPS)
+
+    def _recolour(self, *_):
+        self.motion.colour_by(self.colours.currentData())
+        self._tell()
+
+    def _tell(self):
+        parts = [translate("BistableDeploy", "{:.0%} open").format(self._opening)]
+        if self.colours.currentData() == COLOURS[1]:
+            worst = float(self.motion.misfit(self._opening).max())
+            misfit = translate("BistableDeploy", "misfit up to {:.2g} mm (full colour: {:.2g} mm)")
+            parts.append(misfit.format(worst, self.motion.misfit_limit))
+        self.text.setText(", ".join(parts))
+
+    # playing
+
+    def play(self):
+        """Open from here (from flat, if it is open), then fold again if looped."""
+        if self._opening >= 1 and not self.loop.isChecked():
+            self.set_opening(0.0)
+        self._forward = self._opening < 1
+        self._last = time.perf_counter()
+        self._frames = []
+        self.play_button.setText(translate("BistableDeploy", "Stop"))
+        self._timer.start(_TICK)
+
+    def stop(self):
+        """Stop playing."""
+        self._timer.stop()
+        self.play_button.blockSignals(True)
+        self.play_button.setChecked(False)
+        self.play_button.blockSignals(False)
+        self.play_button.setText(translate("BistableDeploy", "Play"))
+
+    def _tick(self):
+        now = time.perf_counter()
+        step = min(now - self._last, 0.2) / _SECONDS
+        self._frames.append(now - self._last)
+        self._last = now
+        opening = self._opening + (step if self._forward else -step)
+        self.set_opening(opening)
+        if not 0 < opening < 1:
+            if not self.loop.isChecked():
+                self.stop()
+            self._forward = opening <= 0
+
+    @property
+    def frame_rate(self):
+        """Frames a second of the last play."""
+        return len(self._frames) / sum(self._frames) if self._frames else 0.0

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Moving pictures of tubes: Coin nodes that follow an opening, without making shapes anew.
+
+A motion has ``root`` (the node to show), ``show(opening)`` and ``colour_by(what)``, one of
+`COLOURS`; nothing of it touches the document.
+"""
+
+import MeshPart
+import numpy as np
+import Part
+from pivy import coin
+
+from .. import colours
+from ..objects import type_of
+from ..objects.base import global_placement
+from ..objects.bistable_unit import tube_of
+from ..origami.creases import BODIES, CREASES, INDEX, PANELS, kind_of
+from ..origami.deployment import misfit
+from . import settings
+from .bodies import body_colour
+
+COLOURS = ("panels", "misfit")
+_STEPS = 240  # openings that are computed; between them the vertices go straight
+_COOL, _WARM = np.array(colours.rgb("#DCE6EE")), np.array(colours.rgb("#C2185B"))
+_MESH = {"LinearDeflection": 0.5, "AngularDeflection": 1.2}  # coarse: it moves
+
+
+def motion_of(obj):
+    """The motion of a BistableUnit or a HingeSet; ValueError where it cannot be computed."""
+    return BodiesMotion(obj) if type_of(obj) == "Bistable::HingeSet" else FacesMotion(obj)
+
+
+class FacesMotion:
+    """Twelve faces a unit; one array of vertices is exchanged for every state."""
+
+    def __init__(self, obj):
+        self.tube = tube_of(obj)
+        self._states = {}
+        self._by, self._opening = "panels", 0.0
+        self._lengths = None
+        self.root = coin.SoSeparator()
+        if obj.Triangles is None:
+            self.root.addChild(_matrix_node(_matrix(global_placement(obj))))
+        self.coordinates, self.material = coin.SoCoordinate3(), coin.SoMaterial()
+        self._add_faces()
+        self.misfit_limit = self._largest_misfit()
+
+    def show(self, opening):
+        """Bring all faces to ``opening``."""
+        self._opening = opening
+        points = self.state(opening).reshape(-1, 3)
+        self.coordinates.point.setValues(0, len(points), points.tolist())
+        if self._by == "misfit":
+            self._colour()
+
+    def state(self, opening):
+        """Vertices (n, 10, 3) in global coordinates, from memory where they were asked for."""
+        place = opening * _STEPS
+        low = min(int(place), _STEPS - 1)
+        share = place - low
+        if share < 1e-6:
+            return self._known(low)
+        if share > 1 - 1e-6:
+            return self._known(low + 1)
+        return (1 - share) * self._known(low) + share * self._known(low + 1)
+
+    def colour_by(self, what):
+        """Colour by kind of panel, or by the unit's misfit at this opening."""
+        self._by = what
+        self._colour()
+
+    def misfit(self, opening):
+        """Largest change of length in every unit, mm: (n,)."""
+        return misfit(self.tube.unit, self.state(opening))
+
+    def _known(self, step):
+        if step not in self._states:
+            self._states[step] = self.tube.state(step / _STEPS)
+        return self._states[step]
+
+    def _largest_misfit(self):
+        return max(float(self.misfit(k / 8).max()) for k in range(9)) or 1.0
+
+    def _colour(self):
+        if self._by == "panels":
+            wanted = [settings.panel_colour(kind_of(panel)) for panel in PANELS] * len(self.tube)
+        else:
+            shares = self.misfit(self._opening) / self.misfit_limit
+            wanted = np.repeat(_blend(shares), len(PANELS), axis=0).tolist()
+        self.material.diffuseColor.setNum(len(wanted))
+        self.material.diffuseColor.setValues(0, len(wanted), wanted)
+
+    def _add_faces(self):
+        faces, outlines = [], []
+        for unit in range(len(self.tube)):
+            for corners in PANELS.values():
+                rows = [10 * unit + INDEX[corner] for corner in corners]
+                faces += [*rows, -1]
+                outlines += [*rows, rows[0], -1]
+        binding, face_set = coin.SoMaterialBinding(), coin.SoIndexedFaceSet()
+        binding.value = coin.SoMaterialBinding.PER_FACE
+        face_set.coordIndex.setValues(0, len(faces), faces)
+        line_set = coin.SoIndexedLineSet()
+        line_set.coordIndex.setValues(0, len(outlines), outlines)
+        for node in (
+            _two_sided(), self.coordinates, binding, self.material, _set_back(), face_set,
+            *_thin_ink(), line_set,
+        ):  # fmt: skip
+            self.root.addChild(node)
+        self._colour()
+
+
+class BodiesMotion:
+    """Thick bodies; every one has a transform of its own."""
+
+    def __init__(self, obj):
+        self.model = obj.Proxy.model(obj)
+        self.tube = self.model.tube.tube
+        self._by, self._opening = "panels", 0.0
+        self._motions = {}
+        self.root = coin.SoSeparator()
+        self.root.addChild(_matrix_node(_matrix(global_placement(obj))))
+        self.root.addChild(_two_sided())
+        self.transforms, self.materials = [], []
+        meshes = {}
+        for number, body in enumerate(self.model.bodies):
+            self.root.addChild(self._body_node(body, number, meshes))
+        self.misfit_limit = max(float(self._hinges(k / 8).max()) for k in range(9)) or 1.0
+
+    def show(self, opening):
+        """Bring all bodies to ``opening``."""
+        self._opening = opening
+        for transform, motion in zip(self.transforms, self._known(opening), strict=True):
+            if motion is not None:
+                transform.matrix = coin.SbMatrix(*motion)
+        if self._by == "misfit":
+            self._colour()
+
+    def colour_by(self, what):
+        """Colour by kind of panel, or by the misfit of a body's worst hinge."""
+        self._by = what
+        self._colour()
+
+    def misfit(self, opening):
+        """Largest misfit of the hinges of every unit, mm: (n,)."""
+        return self._hinges(opening).max(1)
+
+    def _hinges(self, opening):
+        return self.model.tube.thick.misfit(opening).reshape(len(self.tube), -1)
+
+    def _known(self, opening):
+        step = round(opening * _STEPS)
+        if step not in self._motions:
+            self._motions[step] = [
+                None if motion is None else motion.T.ravel().tolist()
+                for motion in self.model.motions(step / _STEPS)
+            ]
+        return self._motions[step]
+
+    def _colour(self):
+        wanted = [body_colour(body.name, k) for k, body in enumerate(self.model.bodies)]
+        if self._by == "misfit":
+            own = self._body_misfits()
+            wanted = _blend(np.array(own) / self.misfit_limit).tolist()
+        for material, colour in zip(self.materials, wanted, strict=True):
+            material.diffuseColor.setValue(*colour)
+
+    def _body_misfits(self):
+        hinges = self._hinges(self._opening)
+        worst = np.zeros((len(hinges), len(BODIES)))
+        for row, crease in enumerate(CREASES):
+            for name in crease.bodies:
+                column = BODIES.index(name)
+                worst[:, column] = np.maximum(worst[:, column], hinges[:, row])
+        return [
+            max((worst[k, BODIES.index(name)] for k, name in body.members), default=0.0)
+            for body in self.model.bodies
+        ]
+
+    def _body_node(self, body, number, meshes):
+        node, transform, material = coin.SoSeparator(), coin.SoMatrixTransform(), coin.SoMaterial()
+        material.diffuseColor.setValue(*body_colour(body.name, number))
+        material.specularColor.setValue(0.1, 0.1, 0.1)
+        self.transforms.append(transform)
+        self.materials.append(material)
+        own = Part.Shape(body.shape)
+        own.Placement = type(own.Placement)()
+        key = next((known for known in meshes if known.isPartner(own)), own)
+        if key not in meshes:
+            meshes[key] = _mesh_node(own)
+        for part in (transform, material, _matrix_node(_matrix(body.shape.Placement)), meshes[key]):
+            node.addChild(part)
+        return node
+
+
+def _mesh_node(shape):
+    """Coarse triangles of a solid, without the cones, which are hidden inside the hinges."""
+    seen = [face for face in shape.Faces if not isinstance(face.Surface, Part.Cone)]
+    mesh = MeshPart.meshFromShape(Shape=Part.makeCompound(seen), **_MESH)
+    points, triangles = mesh.Topology
+    node, coordinates, faces = coin.SoSeparator(), coin.SoCoordinate3(), coin.SoIndexedFaceSet()
+    indices = np.pad(np.array(triangles), ((0, 0), (0, 1)), constant_values=-1).ravel().tolist()
+    coordinates.point.setValues(0, len(points), [tuple(p) for p in points])
+    faces.coordIndex.setValues(0, len(indices), indices)
+    node.addChild(coordinates)
+    node.addChild(faces)
+    return node
+
+
+def _blend(shares):
+    shares = np.clip(shares, 0, 1)[:, None]
+    return (1 - shares) * _COOL + shares * _WARM
+
+
+def _two_sided():
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    hints.creaseAngle = 0.4
+    return hints
+
+
+def _set_back():
+    offset = coin.SoPolygonOffset()
+    offset.factor, offset.units = 1.0, 1.0
+    return offset
+
+
+def _thin_ink():
+    light, style, colour = coin.SoLightModel(), coin.SoDrawStyle(), coin.SoBaseColor()
+    binding = coin.SoMaterialBinding()
+    binding.value = coin.SoMaterialBinding.OVERALL
+    light.model = coin.SoLightModel.BASE_COLOR
+    style.lineWidth = 1.0
+    colour.rgb = colours.rgb(colours.INK)
+    return binding, light, style, colour
+
+
+def _matrix(placement):
+    return np.array(placement.toMatrix().A).reshape(4, 4)
+
+
+def _matrix_node(matrix):
+    node = coin.SoMatrixTransform()
+    node.matrix = coin.SbMatrix(*matrix.T.ravel().tolist())
+    return node

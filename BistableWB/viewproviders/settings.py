@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The user's preferences: printer, default hinge, colours.
+
+They count for objects made from now on and for checks. Nothing here is read while a file is
+opened or recomputed: a file looks and prints the same on every computer.
+"""
+
+import FreeCAD as App
+
+from .. import colours
+from ..origami.hinge_parameters import HingeParameters
+
+PATH = "User parameter:BaseApp/Preferences/Mod/Bistable"
+_HINGE = HingeParameters()
+
+# Preference -> default. Those of the hinge and the printer bear the names of the properties.
+NUMBERS = {
+    "BedWidth": 250.0,
+    "BedDepth": 210.0,
+    "BedHeight": 210.0,
+    "NozzleDiameter": _HINGE.nozzle_diameter,
+    "LayerHeight": _HINGE.layer_height,
+    "FaceThickness": _HINGE.face_thickness,
+    "GapLength": _HINGE.gap_length,
+    "GapBetweenPlanes": _HINGE.gap_between_planes,
+}
+PIVOTS = ("Cone", "Pin")
+_HINGE_NUMBERS = tuple(NUMBERS)[3:]
+
+
+def group():
+    """The parameter group of the workbench."""
+    return App.ParamGet(PATH)
+
+
+def number(name):
+    """A preference of `NUMBERS`, in mm."""
+    return group().GetFloat(name, NUMBERS[name])
+
+
+def pivot():
+    """The kind of pivot of new hinges."""
+    chosen = group().GetString("Pivot", PIVOTS[0])
+    return chosen if chosen in PIVOTS else PIVOTS[0]
+
+
+def hinge_lines(variable):
+    """Lines of a macro that give the hinge in ``variable`` what differs from its defaults."""
+    lines = []
+    for name in _HINGE_NUMBERS:
+        value = round(number(name), 6)
+        if abs(value - NUMBERS[name]) > 1e-9:
+            lines.append(f"{variable}.{name} = {value!r}")
+    if pivot() != PIVOTS[0]:
+        lines.append(f'{variable}.Pivot = "{pivot()}"')
+    return lines
+
+
+def panel_colour(kind):
+    """RGB in 0…1 of a kind of panel, for new objects."""
+    packed = group().GetUnsigned(f"Colour_{kind}", 0)
+    if not packed:
+        return colours.rgb(colours.PANELS[kind])
+    return tuple((packed >> shift & 255) / 255 for shift in (24, 16, 8))
+
+
+def set_panel_colour(kind, code):
+    """Remember the colour "#RRGGBB" of a kind of panel; the default one is not stored."""
+    if code.upper() == colours.PANELS[kind].upper():
+        group().RemUnsigned(f"Colour_{kind}")
+    else:
+        group().SetUnsigned(f"Colour_{kind}", int(code[1:], 16) << 8 | 255)

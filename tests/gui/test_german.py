@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""German: complete, up to date, and what the window shows."""
+
+import importlib.util
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+from BistableWB import TRANSLATIONS, make
+
+
+@pytest.fixture(scope="module")
+def update():
+    path = TRANSLATIONS / "update.py"
+    spec = importlib.util.spec_from_file_location("bistable_translations", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def german(gui):
+    if not hasattr(Gui, "setLocale"):
+        pytest.skip("this FreeCAD cannot change its language from Python")
+    Gui.setLocale("German")
+    gui(0.3)
+    yield gui
+    Gui.setLocale("English")
+    gui(0.3)
+
+
+def test_every_text_is_translated(update):
+    """After a new text: resources/translations/update.py, then fill in the .ts, then it again."""
+    known = update.read(TRANSLATIONS / "Bistable_de.ts")
+    assert update.messages() - set(known) == set()
+
+
+def test_the_compiled_file_says_what_the_source_says(update):
+    translator = QtCore.QTranslator()
+    assert translator.load(str(TRANSLATIONS / "Bistable_de.qm"))
+    known = update.read(TRANSLATIONS / "Bistable_de.ts")
+    different = {key for key, german in known.items() if translator.translate(*key) != german}
+    assert different == set()
+
+
+def test_placeholders_survive_translation(update):
+    for (_, text), german in update.read(TRANSLATIONS / "Bistable_de.ts").items():
+        assert text.count("{") == german.count("{"), text
+
+
+def test_the_window_speaks_german(german, screenshot):
+    gui = german
+    Gui.activateWorkbench("BistableWorkbench")
+    assert App.Qt.translate("Bistable_NewTube", "New tube") == "Neuer Schlauch"
+    doc = App.newDocument("Deutsch")
+    curve = make.make_curve(doc)
+    triangles = make.make_triangle_placement(doc, curve)
+    doc.recompute()
+    Gui.ActiveDocument.ActiveView.fitAll()
+    triangles.ViewObject.Proxy.doubleClicked(triangles.ViewObject)
+    gui(0.3)
+    form = Gui.getMainWindow().findChild(QtGui.QWidget, "BistablePanel")
+    texts = [label.text() for label in form.findChildren(QtGui.QLabel)]
+    assert "Kantenlänge" in texts
+    screenshot("german")
+    boxes = Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+    next(b for b in boxes if b.isVisible()).button(QtGui.QDialogButtonBox.Cancel).click()
+    gui(0.2)

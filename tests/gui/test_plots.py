@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The dock with charts: numbers, clicks on bars, selection, changes."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+from PySide import QtGui
+
+from BistableWB import make
+
+
+@pytest.fixture
+def charts(gui):
+    from BistableWB.taskpanels.plots import dock
+
+    Gui.runCommand("Bistable_NewTube")
+    Gui.runCommand("Bistable_Plots")
+    gui(0.3)
+    yield dock()
+    dock().hide()
+
+
+def test_charts_show_the_numbers_and_follow(gui, charts, screenshot):
+    doc = App.ActiveDocument
+    assert charts.isVisible()
+    assert charts.obj is doc.BistableUnit
+    assert charts.thetas.values == list(doc.TrianglePlacement.Thetas)
+    assert charts.ratios.values == list(doc.BistableUnit.Ratios)
+    assert not charts.margins.isVisible()
+    doc.TrianglePlacement.EdgeLength = 55
+    doc.recompute()
+    gui(0.3)
+    assert charts.thetas.values == list(doc.TrianglePlacement.Thetas)
+    charts.pick(4)
+    screenshot("charts")
+
+
+def test_a_click_on_a_bar_selects_its_unit_and_back(gui, charts, mouse):
+    doc = App.ActiveDocument
+    mouse.click(charts.thetas, charts.thetas.centre_of(4))
+    (picked,) = Gui.Selection.getSelectionEx()
+    assert picked.Object is doc.BistableUnit
+    assert set(picked.SubElementNames) == {f"Face{k}" for k in range(49, 61)}
+    assert charts.ratios.chosen == {4}
+    Gui.Selection.clearSelection()
+    assert charts.ratios.chosen == set()
+    Gui.Selection.addSelection(doc.BistableUnit, "Face30")
+    gui()
+    assert charts.thetas.chosen == {2}
+
+
+def test_charts_in_a_dark_theme(gui, charts, screenshot):
+    palette = QtGui.QPalette(charts.palette())
+    palette.setColor(QtGui.QPalette.Window, QtGui.QColor("#2b2b2b"))
+    palette.setColor(QtGui.QPalette.WindowText, QtGui.QColor("#eeeeee"))
+    old = charts.palette()
+    charts.setPalette(palette)
+    charts.setAutoFillBackground(True)
+    screenshot("charts-dark")
+    image = charts.thetas.grab().toImage()
+    light = [
+        image.pixelColor(x, y).lightness() for x in range(0, image.width(), 2) for y in range(20)
+    ]
+    assert max(light) > 200  # the title can be read
+    charts.setPalette(old)
+
+
+def test_charts_of_thick_bodies(gui, charts):
+    doc = App.newDocument("One")
+    units = make.make_bistable_unit(doc, theta=45, edge_length=60)
+    hinges = make.make_hinge_set(doc, units)
+    doc.recompute()
+    charts.show_tube(hinges)
+    assert charts.thetas.values == [45]
+    charts.pick(0)
+    (picked,) = Gui.Selection.getSelectionEx()
+    assert picked.Object is hinges
+    assert len(picked.SubElementNames) == len(hinges.Shape.Faces)
+
+
+def test_charts_survive_the_end_of_their_tube(gui, charts):
+    App.closeDocument(App.ActiveDocument.Name)
+    gui(0.3)
+    assert charts.obj is None
+    assert charts.thetas.values == []
+    charts.refresh()

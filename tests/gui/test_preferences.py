@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Preferences: the page, what it changes, and what it never does; cancelled work."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+from PySide import QtCore, QtGui
+
+from BistableWB import colours, make
+from BistableWB.viewproviders import faces, settings
+
+
+@pytest.fixture
+def page(gui):
+    from BistableWB.taskpanels.preferences import PreferencesPage
+
+    yield PreferencesPage()
+    for name in [*settings.NUMBERS]:
+        settings.group().RemFloat(name)
+    settings.group().RemString("Pivot")
+    for kind in colours.PANELS:
+        settings.group().RemUnsigned(f"Colour_{kind}")
+
+
+def test_the_page_keeps_what_is_chosen(page):
+    assert page.numbers["BedWidth"].value() == 250
+    page.numbers["BedWidth"].setValue(180)
+    page.numbers["FaceThickness"].setValue(1.6)
+    page.pivot.setCurrentIndex(1)
+    page.saveSettings()
+    assert settings.number("BedWidth") == 180
+    assert settings.hinge_lines("h") == ["h.FaceThickness = 1.6", 'h.Pivot = "Pin"']
+    page.loadSettings()
+    assert page.numbers["FaceThickness"].value() == 1.6
+
+
+def test_new_objects_follow_and_existing_ones_stay(gui, page):
+    doc = App.newDocument("Old")
+    units = make.make_bistable_unit(doc, theta=45, edge_length=60)
+    old = make.make_hinge_set(doc, units)
+    doc.recompute()
+    size, shown = old.PrintSize, faces.face_colours(units.ViewObject)
+    page.numbers["FaceThickness"].setValue(1.6)
+    page.colours["primary"].setProperty("code", "#00AA00")
+    page.saveSettings()
+    old.touch()
+    units.touch()
+    doc.recompute()
+    assert tuple(old.PrintSize) == pytest.approx(tuple(size), abs=0.2)
+    assert faces.face_colours(units.ViewObject) == shown
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(units)
+    Gui.runCommand("Bistable_HingeSet")
+    new = doc.Objects[-1]
+    assert new.FaceThickness.Value == 1.6
+    assert colours.rgb("#00AA00") in [
+        pytest.approx(c, abs=0.01) for c in set(faces.face_colours(new.ViewObject))
+    ]
+
+
+def test_the_page_is_among_freecads_preferences(gui, screenshot):
+    seen = []
+
+    def look():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if dialog is None:
+            return
+        pages = dialog.findChildren(QtGui.QWidget, "BistablePreferences")
+        seen.append(len(pages))
+        _open_page(dialog)
+        gui(0.3)
+        screenshot("preferences")
+        dialog.reject()
+
+    QtCore.QTimer.singleShot(1500, look)
+    Gui.runCommand("Std_DlgPreferences")
+    assert seen == [1]
+
+
+def _open_page(dialog):
+    for view in dialog.findChildren(QtGui.QListWidget):
+        for row in range(view.count()):
+            if "Bistable" in view.item(row).text():
+                view.setCurrentRow(row)
+    for tree in dialog.findChildren(QtGui.QTreeView):
+        found = tree.model().match(
+            tree.model().index(0, 0), QtCore.Qt.DisplayRole, "Bistable", 1,
+            QtCore.Qt.MatchContains | QtCore.Qt.MatchRecursive,
+        )  # fmt: skip
+        if found:
+            tree.setCurrentIndex(found[0])
+
+
+@pytest.mark.provokes_errors
+def test_cancelled_solids_leave_the_document_as_it_was(gui, monkeypatch, capfd):
+    doc = App.newDocument("Mine")
+    curve = make.make_curve(doc)
+    triangles = make.make_triangle_placement(doc, curve)
+    make.make_bistable_unit(doc, triangles)
+    doc.recompute()
+    pressed = []
+
+    def press_escape():
+        box = QtGui.QApplication.activeModalWidget()
+        if isinstance(box, QtGui.QMessageBox):
+            pressed.append(box.text())
+            box.button(QtGui.QMessageBox.Yes).click()
+            return
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            key = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+            QtGui.QApplication.postEvent(Gui.getMainWindow(), key)
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(press_escape)
+    timer.start(200)
+    names, count = [obj.Name for obj in doc.Objects], triangles.Count
+    Gui.runCommand("Bistable_HingeSet")
+    timer.stop()
+    gui(0.2)
+    assert pressed
+    assert [obj.Name for obj in doc.Objects] == names
+    doc.recompute()
+    assert triangles.Count == count
+    assert triangles.Thickness.Value == 0
+    assert doc.UndoCount == 0
+    assert all(obj.isValid() for obj in doc.Objects)
+    assert "cancelled" in capfd.readouterr().out
