@@ -90,7 +90,8 @@ def _tell(result, seconds):
         for n in [dict(facts.numbers)]
         if table == "hinges"
     ]
-    print(f"{result.design.title}: {numbers['units']} units, {', '.join(told)} ({seconds:.1f} s)")
+    count = "1 unit" if numbers["units"] == "1" else f"{numbers['units']} units"
+    print(f"{result.design.title}: {count}, {', '.join(told)} ({seconds:.1f} s)")
     kinds = sorted({path.suffix for path in result.files})
     print(f"  {result.folder}: {len(result.files)} files ({' '.join(kinds)})", flush=True)
     for problem in result.problems:

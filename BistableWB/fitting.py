@@ -39,8 +39,8 @@ def auto_fit(triangles, bed=(250.0, 210.0, 210.0), margin=1.5, progress=None, **
     return search.auto_fit(course, wanted, progress)
 
 
-def apply(candidate, triangles, unit=None, wanted=None):
-    """Set the inputs of a TrianglePlacement and of a BistableUnit object to a candidate's.
+def apply(candidate, triangles, unit=None, wanted=None, hinges=None):
+    """Set the inputs of a TrianglePlacement, a BistableUnit and a HingeSet to a candidate's.
 
     ``wanted``: the `Wanted` of the search, for thickness, play and margin. The document is not
     recomputed.
@@ -49,6 +49,9 @@ def apply(candidate, triangles, unit=None, wanted=None):
     triangles.EdgeLength = candidate.edge_length
     triangles.Gamma = math.degrees(candidate.gamma)
     triangles.Thickness = wanted.pitch
+    if hinges is not None:
+        hinges.FaceThickness = wanted.face_thickness
+        hinges.GapBetweenPlanes = wanted.gap_between_planes
     if unit is None:
         return
     unit.HeightRatio = wanted.height_ratio

@@ -19,6 +19,7 @@ from .origami.linkage import ThickUnit
 from .solids.tessellation import placed_meshes
 
 _OPENINGS = (0, 0.25, 0.5, 0.75, 1)
+_CHECKED = (0.5, 1)  # openings at which nothing may overlap
 _CLOSE_UP = "AP_left_upper"  # the hinge of the close-up
 _FINE = 0.02, 0.12  # deflections of the close-up, mm and radians
 
@@ -61,9 +62,10 @@ class HingedTube:
     def draw(self, draw):
         """The pictures; ``draw(name, caption, function, *args)`` makes one."""
         model, tube = self.model, self.model.tube
-        legs, forward = _upright(tube)
+        view = _upright(tube)
+        stand = np.array(model.standing(self.obj.Orientation).toMatrix().A).reshape(4, 4)
         draw("print", "The flat-folded print and the deployed tube, in one light, at one scale",
-             pictures.stack_and_tube, self.meshes, model.motions(1), legs, forward)  # fmt: skip
+             pictures.stack_and_tube, self.meshes, model.motions(1), *view, stand)  # fmt: skip
         first = [k for k, body in enumerate(model.bodies) if body.unit == 0]
         bodies = [self.meshes[k] for k in first]
         states = {o: _held(model.motions(o), first) for o in _OPENINGS}
@@ -87,13 +89,12 @@ class HingedTube:
         numbers = [
             ("deployed", _millimetres(self.obj.DeployedSize)),
             ("misfit without compensation", f"{before:.2f} mm"),
-            ("misfit as it is", f"{after:.2g} mm" if after > 1e-6 else "none"),
+            ("misfit as made", _small(after)),
             ("snap margin", _range(np.atleast_1d(snap.margin), "{:.2f}")),
             ("peak strain", _range(100 * np.atleast_1d(snap.strain), "{:.2f} %")),
         ]
         if tube.placement is not None:
-            off = self.obj.CurveDeviation.Value
-            numbers.insert(1, ("off the curve", f"{off:.2g} mm" if off > 1e-4 else "nowhere"))
+            numbers.insert(1, ("off the curve", _small(self.obj.CurveDeviation.Value)))
         return numbers
 
     def _rows(self):
@@ -108,17 +109,21 @@ class HingedTube:
         """How firmly it snaps, and what the checks found."""
         model, tube = self.model, self.model.tube
         checked = Print(self.meshes, model.parameters)
-        found = check_bed(tube.thick, model.parameters, Bed(), tube.tube.incoming_left)
+        found = []
+        if self.obj.Orientation == "Flat":
+            found += check_bed(tube.thick, model.parameters, Bed(), tube.tube.incoming_left)
         found += checked.check_soundness([body.shape.Volume for body in model.bodies])
         if model.parameters.hinge_type == "Rotational":
-            moved = tube.motions(1.0)
             found += checked.check_flat()
-            found += checked.check_poses(moved, 1.0, tube.thick.misfit(1.0))
+            for opening in _CHECKED:
+                misfits = tube.thick.misfit(opening).reshape(-1, len(CREASES))
+                found += checked.check_poses(tube.motions(opening), opening, misfits)
         return [self._snap_finding(), *found]
 
     def _snap_finding(self):
         margin = np.atleast_1d(self.model.snap.margin)
-        floppy, count = int((margin < 1).sum()), len(margin)
+        loose = (margin < 1) | ~np.atleast_1d(self.model.snap.bistable)
+        floppy, count = int(loose.sum()), len(margin)
         least = float(margin.min())
         if not floppy:
             each = "The unit snaps" if count == 1 else f"All {count} units snap"
@@ -164,6 +169,10 @@ def _warnings(obj):
 
 def _millimetres(vector):
     return f"{vector.x:.0f} × {vector.y:.0f} × {vector.z:.1f} mm"
+
+
+def _small(length):
+    return f"{length:.2g} mm" if length >= 0.001 else "below 0.001 mm"
 
 
 def _range(values, form):

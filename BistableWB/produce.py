@@ -61,7 +61,11 @@ def produce(design, folder, progress=lambda text: None):
         _save(result, doc, progress)
         prints = _prints(objects)
         result.facts = report.facts_of(objects, prints, progress)
-        result.problems += [e for facts in result.facts.prints.values() for e in facts.errors]
+        result.problems += [
+            _with_keys(design, table, error)
+            for table, facts in result.facts.prints.items()
+            for error in facts.errors
+        ]
         if design.get("output", "pictures", True):
             _try(result, "pictures", _pictures, result, objects, prints, progress)
     if design.get("output", "report", True):
@@ -203,7 +207,12 @@ def _source(doc, design):
 
 
 def _in_words_of_the_file(design, table, sentence):
-    """What an object says, with keys of the file for properties of the object."""
+    """What an object refuses, as a sentence about the file."""
+    return f"{design.path}: [{table}] {_with_keys(design, table, sentence).rstrip('.')}."
+
+
+def _with_keys(design, table, sentence):
+    """A sentence with keys of the file for properties of the object."""
     others = [name for name in TABLES if name in _relevant(design)]
 
     def key(match):
@@ -215,8 +224,7 @@ def _in_words_of_the_file(design, table, sentence):
         return match[0]
 
     names = sorted({e.property for keys in TABLES.values() for e in keys.values() if e.property})
-    sentence = re.sub(rf"\b({'|'.join(names)})\b", key, sentence).rstrip(".")
-    return f"{design.path}: [{table}] {sentence}."
+    return re.sub(rf"\b({'|'.join(names)})\b", key, sentence)
 
 
 def _relevant(design):

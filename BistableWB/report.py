@@ -240,7 +240,9 @@ def _section(result, home, several):
         parts.append(f"<p>{_e(design.get('design', 'description', ''))}</p>")
     if result.problems:
         items = "".join(f"<li>{_e(problem)}</li>" for problem in result.problems)
-        parts.append(f'<div class="problems"><strong>Not made:</strong><ul>{items}</ul></div>')
+        parts.append(
+            f'<div class="problems"><strong>What went wrong:</strong><ul>{items}</ul></div>'
+        )
     parts += [_print(facts.prints[table], table) for table in facts.prints]
     if facts.numbers:
         parts.append(("<h3>Geometry</h3>" if facts.prints else "") + _numbers(facts.numbers))

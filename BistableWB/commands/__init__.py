@@ -78,7 +78,7 @@ def initialise(workbench):
 def _add_preferences():
     from ..taskpanels.preferences import PreferencesPage
 
-    Gui.addIcon("preferences-bistable", str(ICONS / "BistableWorkbench.svg"))
+    Gui.addIconPath(str(ICONS))  # the page's icon is preferences-bistable.svg by its group
     Gui.addPreferencePage(PreferencesPage, "Bistable")
 
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that open what comes with the workbench: examples and help."""
 
+import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import EXAMPLES, RESOURCES, design
+from ..objects import type_of
 from .base import QT_TRANSLATE_NOOP, Command, fit_view, quoted, translate
 
 _HELP = RESOURCES / "help" / "index.md"
@@ -40,6 +42,9 @@ def make_example(path):
     Gui.doCommand("from BistableWB import EXAMPLES, design, produce")
     Gui.doCommand(f"doc = App.newDocument({quoted(name)})")
     Gui.doCommand(f"produce.build(doc, design.read(EXAMPLES / {quoted(path.name)}))")
+    hinges = [obj for obj in App.ActiveDocument.Objects if type_of(obj) == "Bistable::HingeSet"]
+    for part in (part for obj in hinges for part in obj.OutListRecursive):
+        part.ViewObject.Visibility = False  # the flat print lies where they are
     fit_view(isometric=True)
 
 

@@ -17,7 +17,7 @@ from ..solids.joint import part_bodies
 from ..solids.support import support_body
 from ..solids.tube import tube_bodies
 from .base import BistableObject, Prop, Result, require_link, set_result
-from .bistable_unit import BistableUnit, triangles_below, tube_of, tube_on
+from .bistable_unit import SHAPING, BistableUnit, triangles_below, tube_of, tube_on
 from .hinge_inputs import HINGE_PROPERTIES, hinge_parameters
 from .triangle_placement import geometry_below, place_on
 
@@ -252,10 +252,12 @@ def _deviation_warnings(tube, cure):
 
 def _inputs(unit):
     """What shapes a BistableUnit's tube, without its `Deployment`: comparable values."""
-    own = [getattr(unit, n) for n in ("RatioRule", "Ratio", "RatioShare", "HeightRatio")]
+    own = [getattr(unit, name) for name in SHAPING]
+    own = [getattr(value, "Value", value) for value in own]
     triangles = triangles_below(unit)
     if triangles is None:
-        return (*own, unit.Theta.Value, unit.EdgeLength.Value, unit.Omega.Value)
+        alone = (unit.Theta, unit.EdgeLength, unit.Omega, unit.Thickness)
+        return (*own, *(quantity.Value for quantity in alone))
     geometry = geometry_below(triangles)
     return (
         *own,
@@ -263,6 +265,7 @@ def _inputs(unit):
         triangles.Gamma.Value,
         triangles.Thickness.Value,
         triangles.FlipSide,
+        triangles.Level,
         geometry.family,
         geometry.sphere_radius,
         np.asarray(geometry.legs[1], float).tobytes(),

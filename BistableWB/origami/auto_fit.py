@@ -100,8 +100,8 @@ _REASONS = {
     ),
     "strain": (
         lambda least, w: (
-            f"those that snap hard enough strain by {min(least):.1%} or more, beyond "
-            f"{w.strain_limit:.1%}"
+            f"those that snap hard enough strain by {min(least):.2%} or more, beyond "
+            f"{w.strain_limit:.2%}"
         ),
         "Give the hinges less play, ask for a smaller margin, or use a tougher material.",
     ),

@@ -22,20 +22,19 @@ GAMMAS = tuple(radians(g) for g in (12, 16, 20, 25, 30, 36))
 SHARES = (0.02, 0.03, 0.045, 0.07, 0.1, 0.15)
 LEAST_COVERAGE = 0.75
 _MEASURED = 10  # candidates
-# What the table leaves of margins (more on a sphere) and strains: few measurements are in vain.
+# What the table leaves of margins (more on a sphere), so that few measurements are in vain.
 _GUARDS = {"Adaptive": 1.03, "TargetSnap": 0.99, "Exact": 0.95}
-_STRAIN_GUARD = 1.02
 
 
 # -- step 1: placements -------------------------------------------------------------------------
 
 
 def edge_lengths(length, wanted):
-    """Edge lengths to try (mm): from as many units as the bed is high to two on the curve."""
+    """Edge lengths to try (mm): from as many units as the bed is high to a few on the curve."""
     most = max(2.0, (wanted.bed[2] + wanted.gap_between_planes) / (4 * wanted.pitch))
     low = max(length / (0.6 * most), 10 * wanted.pitch)
-    high = min(max(wanted.bed[:2]) - 2 * wanted.barrel, length / 1.5)
-    return np.geomspace(low, max(high, low * 1.01), EDGES)
+    high = min(max(wanted.bed[:2]) - 2 * wanted.reach, length / 1.5)
+    return np.geomspace(min(low, high / 1.5), high, EDGES)
 
 
 def placed_trials(course, wanted, refusals, progress):
@@ -83,7 +82,7 @@ def _plan(placed, wanted):
     alpha, _, _ = angles_for(placed.thetas, low + 0.05 * (1 - low))
     apex = placed.edge_length * ((1 + low) * np.cos(alpha) / 2 * np.sin(alpha)).max()
     strip = placed.edge_length / wanted.height_ratio
-    return placed.edge_length + 2 * wanted.barrel, strip + 2 * apex + 2 * wanted.barrel
+    return placed.edge_length + 2 * wanted.reach, strip + 2 * apex + 2 * wanted.reach
 
 
 def _deviation(curve, placed, samples=9):
@@ -107,7 +106,7 @@ def looked_up(course, wanted, trials, refusals):
     firm = [t for t in found if t.margin >= _GUARDS[t.rule] * wanted.margin]
     if found and not firm:
         refusals.add("margin", max(t.margin for t in found))
-    kept = [t for t in firm if t.strain <= wanted.strain_limit / _STRAIN_GUARD]
+    kept = [t for t in firm if t.strain <= wanted.strain_limit]
     if firm and not kept:
         refusals.add("strain", min(t.strain for t in firm))
     return kept
@@ -210,10 +209,10 @@ def _candidate(wanted, trial, margins, strain, ends, size):
 
 
 def _print_size(thick, tube, wanted):
-    """Length, width and height of the flat-folded print with its barrels, mm."""
+    """Length and width (to about 3 mm) and height of the flat-folded print, mm."""
     frames = print_stack.frames(thick, tube.incoming_left)
     flat = rigid.apply(frames, thick.unit.flat)
-    plan = np.ptp(flat[..., :2].reshape(-1, 2), axis=0) + 2 * wanted.barrel
+    plan = np.ptp(flat[..., :2].reshape(-1, 2), axis=0) + 2 * wanted.reach
     return float(plan[0]), float(plan[1]), float(wanted.height(len(tube)))
 
 

@@ -35,9 +35,9 @@ class Wanted:
         return self.face_thickness + self.gap_between_planes
 
     @property
-    def barrel(self):
-        """Radius of the hinges' barrels, mm: what a print reaches beyond its creases."""
-        return self.face_thickness + self.gap_between_planes / 2
+    def reach(self):
+        """What a print reaches beyond its creases, mm: barrels, and 1 mm of compensation."""
+        return self.face_thickness + self.gap_between_planes / 2 + 1.0
 
     def height(self, count):
         """Height of the flat-folded print of so many units, mm."""

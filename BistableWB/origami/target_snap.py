@@ -46,7 +46,7 @@ class TargetMargin:
     ``edge_length`` ‖AB‖, ``pitch`` (face thickness + gap between planes) and ``play`` in mm;
     ``strain_limit``: peak strain that the material bears. Margins hold for compensated units
     between parallel contacts; between oblique ones (curves of kind General) needed play agrees to
-    about 2 %, and strain is up to a fifth more. `choose` is within 5 % of `snap.assess`.
+    about 5 %, and strain is up to a fifth more. `choose` is within 5 % of `snap.assess`.
     """
 
     edge_length: float

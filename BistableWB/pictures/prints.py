@@ -23,13 +23,14 @@ _FOOT = 0.92  # inches of text below a picture
 _HEAD = 0.12
 
 
-def stack_and_tube(path, bodies, motions, legs=None, forward=None):
+def stack_and_tube(path, bodies, motions, legs=None, forward=None, stand=None):
     """The flat print on a bed and, beside it, the deployed tube, in one light and at one scale.
 
     ``legs`` (3,): direction that points up in the picture (the print's own if None); ``forward``:
-    horizontal direction to look along then.
+    horizontal direction to look along then; ``stand`` (4, 4): how the print stands on the bed.
     """
-    flat, tube = stage.solids(bodies), stage.solids(bodies, motions)
+    tube = stage.solids(bodies, motions)
+    flat = stage.solids(bodies, None if stand is None else [stand] * len(bodies))
     flat_size = stage.size(flat)
     if legs is not None:
         tube = stage.turned(tube, stage.upright(legs))
@@ -38,7 +39,7 @@ def stack_and_tube(path, bodies, motions, legs=None, forward=None):
     flat, tube, bed = _side_by_side(view, flat, tube)
     texts = [
         ("printed flat-folded", flat_size, f"one print, {len(bodies)} bodies"),
-        ("deployed", stage.size(tube), "the same bodies, snapped open"),
+        ("deployed", stage.size(tube), _opened(bodies, motions)),
     ]
     _draw(path, view, [flat, tube], [bed], texts, stage.kinds_of(bodies))
     return path
@@ -67,6 +68,12 @@ def openings(path, bodies, motions):
         texts.append((name, stage.size(things), ""))
     _draw(path, view, states, [], texts, stage.kinds_of(bodies))
     return path
+
+
+def _opened(bodies, motions):
+    if any(motion is None for motion in motions):
+        return "the rigid bodies; the strips bend between them"
+    return "the same bodies, opened"
 
 
 def _facing(things, view):

@@ -12,7 +12,7 @@ from .. import colours
 from .raster import rasterise
 
 _LIGHT = np.array([-0.42, 0.55, 0.74])  # from the viewer's upper left
-_SKY, _FRONT, _SUN, _GROUND_SHADE = 0.60, 0.16, 0.36, 0.22
+_SKY, _FRONT, _SUN, _GROUND_SHADE = 0.67, 0.15, 0.30, 0.22
 _CREASE = np.cos(np.radians(24))  # neighbouring faces that meet at more than this show an edge
 _RECESS = 3.0  # mm around a point that shade it
 _HATCH, _HATCH_SPACING = 0.72, 36  # brightness and, in samples, spacing of a section's hatching

@@ -67,9 +67,9 @@ def margin_chart(path, margins, target=None, reference=None):
     number = np.arange(1, len(margins) + 1)
     finite = margins[np.isfinite(margins)]
     top = 1.28 * max(2.0, target or 0.0, finite.max(initial=0.0))
-    floppy, shown = margins < 1, np.where(np.isfinite(margins), margins, top)
+    floppy, shown = margins < 1, np.where(np.isfinite(margins), margins, 0.85 * top)
     with figure(path, 8.0, 4.0) as sheet:
-        axes = sheet.add_axes((0.085, 0.135, 0.9, 0.835))
+        axes = sheet.add_axes((0.085, 0.135, 0.9, 0.775))
         axes.axhspan(0, 1, color=colours.REFUSED, lw=0, zorder=1)
         axes.bar(number[~floppy], shown[~floppy], 0.72, color=colours.PANELS["contact"],
                  zorder=2, label="snaps")  # fmt: skip
@@ -80,9 +80,12 @@ def margin_chart(path, margins, target=None, reference=None):
             )  # fmt: skip
         _levels(axes, len(margins), target)
         _name_bars(axes, number, margins, shown, floppy)
-        axes.set_xlim(0.4, len(margins) + 0.6)
+        room = max(0.0, 6 - len(margins)) / 2  # a single bar is no wall
+        axes.set_xlim(0.4 - room, len(margins) + 0.6 + room)
         axes.set_ylim(0, top)
         axes.xaxis.get_major_locator().set_params(integer=True, min_n_ticks=1)
+        if len(margins) <= 24:
+            axes.set_xticks(number)
         axes.xaxis.grid(False)
         axes.set_xlabel("unit k, along the curve")
         axes.set_ylabel(reference or "snap margin (needed play / play)")
@@ -104,17 +107,15 @@ def _name_bars(axes, number, margins, shown, floppy):
         size = 8.5 if len(margins) <= 24 else 6.5
         for k, value, height in zip(number, margins, shown, strict=True):
             text = f"{value:.2f}" if np.isfinite(value) else "∞"
-            axes.annotate(text, (k, min(height, axes.get_ylim()[1])), xytext=(0, 2),
-                          textcoords="offset points", ha="center", fontsize=size, zorder=4,
-                          path_effects=halo())  # fmt: skip
+            axes.annotate(text, (k, height), xytext=(0, 2), textcoords="offset points",
+                          ha="center", fontsize=size, zorder=4, path_effects=halo())  # fmt: skip
     if not np.isfinite(margins[weakest]):
         said = "hinges without play: no unit is floppy"
     elif floppy.any():
         said = f"{floppy.sum()} of {len(margins)} units floppy, weakest: unit {weakest + 1}"
     else:
         said = f"weakest: unit {weakest + 1}, margin {margins[weakest]:.2f}"
-    axes.text(0.008, 0.985, said, transform=axes.transAxes, va="top", fontsize=9.5,
-              fontweight="bold", path_effects=halo(), zorder=5)  # fmt: skip
+    axes.set_title(said, loc="left", fontsize=9.5, fontweight="bold")
 
 
 def fit_chart(path, fit):
@@ -123,7 +124,7 @@ def fit_chart(path, fit):
     ``fit``: `auto_fit.Fit`. Candidates are numbered as in ``fit.candidates``; 1 is recommended.
     """
     rows = fit.candidates
-    with figure(path, 8.0, 3.6 + 0.2 * len(rows)) as sheet:
+    with figure(path, 8.0, 3.9 + 0.2 * len(rows)) as sheet:
         tall = sheet.get_size_inches()[1]
         axes = sheet.add_axes((0.085, 1 - 3.0 / tall, 0.9, 2.85 / tall))
         for n, c in enumerate(rows, 1):

@@ -4,6 +4,7 @@
 Importing this package must stay cheap: FreeCAD does so while it opens a file of ours.
 """
 
+import contextlib
 import importlib
 
 # Type name -> (module, class). A type that is not here looks like any other: `base`.
@@ -33,4 +34,20 @@ def attach_missing(obj):
         return False
     attach(view_object, obj.BistableType)
     view_object.Proxy.updateData(obj, "Shape")
+    _show_soon(obj)
     return True
+
+
+def _show_soon(obj):
+    """FreeCAD 1.x hides what it opens from a file made without a window; show it as if new.
+
+    What has become thick is left hidden: its flat print lies in the same place.
+    """
+    from PySide import QtCore
+
+    def show():
+        with contextlib.suppress(ReferenceError):  # closed in the meantime
+            above = (getattr(other, "BistableType", "") for other in obj.InListRecursive)
+            obj.ViewObject.Visibility = "Bistable::HingeSet" not in above
+
+    QtCore.QTimer.singleShot(0, show)

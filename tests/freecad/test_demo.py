@@ -28,9 +28,10 @@ segmentations = 3
 """
 TUBE = """
 [curve]
-points = [[0, 0], [80, 120], [160, 0]]
+points = [[0, 0], [40, 20], [80, 10]]
 [triangles]
 edge_length = 80
+gamma = 22
 [hinges]
 preset = "RecommendedVertex"
 gap_length = 0.45

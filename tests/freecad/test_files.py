@@ -114,10 +114,10 @@ def test_repair_gives_lost_proxies_back(doc, valid):
 def test_file_of_freecad_0_20_opens_here(valid, tmp_path):
     path = shutil.copy(DATA / "chain-0.20.2.FCStd", tmp_path)
     old = reopened(path)
-    saved = numbers(old)
+    saved = {key: value for key, value in numbers(old).items() if value != []}  # newer results
     old.getObject("Curve").touch()
     valid(old)
-    same(saved, numbers(old))
+    same(saved, {key: value for key, value in numbers(old).items() if key in saved})
     assert old.getObject("BistableUnit").RatioRule == "Fixed"
     old.getObject("Curve").Points = MOVED
     valid(old)

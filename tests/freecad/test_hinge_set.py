@@ -234,3 +234,16 @@ def test_axes_almost_parallel_close(doc):
     )
     for k in (11, 59):
         assert len(tube_bodies(tube.thick[k : k + 1], HingeParameters())) == 15
+
+
+def test_every_input_of_the_unit_makes_it_anew(doc, valid):
+    unit, hinges = single(doc)
+    unit.Thickness = PITCH
+    unit.RatioRule = "TargetSnap"
+    valid(doc)
+    models = [hinges.Proxy.model(hinges)]
+    for name, value in (("TargetMargin", 1.2), ("HingePlay", 0.3), ("HeightRatio", 2.2)):
+        setattr(unit, name, value)
+        valid(doc)
+        models.append(hinges.Proxy.model(hinges))
+    assert len({id(model) for model in models}) == len(models)
