@@ -20,14 +20,16 @@ import pytest
 TRACEBACK = "Traceback (most recent call last)"
 REFUSED = re.compile(
     re.escape(TRACEBACK)
-    + r':\n  File ".*", line \d+, in execute\n(?: .*\n)+<class \'(?:ValueError|BistableWB\.[\w.]+)\'>'
+    + r':\n  File ".*", line \d+, in execute\n(?: .*\n)+'
+    + r"<class '(?:ValueError|BistableWB\.[\w.]+)'>"
 )
 
 
 def swallowed(log):
     """Return ``log`` if it holds a traceback other than a refused input, else an empty string.
 
-    A ValueError out of ``execute`` is how an object refuses its input: tests see it in its state.
+    A ValueError, or an error of our own, out of ``execute`` is how an object refuses its input:
+    tests see it in its state.
     """
     return log if TRACEBACK in REFUSED.sub("", log) else ""
 

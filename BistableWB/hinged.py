@@ -130,7 +130,7 @@ class HingedTube:
             text = "its hinges have no play" if np.isinf(least) else f"margin {least:.2f} or more"
             return Finding(NOTE, "snap", (), least, 1.0, f"{each}: {text}.")
         what = "The unit is" if count == 1 else f"{floppy} of {count} units are"
-        message = f"{what} floppy: the clearance of the hinges swallows the snap."
+        message = f"{what} floppy: nothing but friction holds the deployed state."
         return Finding(WARNING, "snap", (), least, 1.0, message)
 
 

@@ -6,7 +6,6 @@ import FreeCAD as App
 from .objects import TYPES, proxy_class
 from .objects.base import make_object, repair_object
 
-
 # Units between oblique contacts need their ratio some way above sin(theta/2).
 _OBLIQUE_SHARE = 0.15
 

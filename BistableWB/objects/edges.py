@@ -119,24 +119,21 @@ def _chained(edges, label):
 def _oriented(pieces):
     """Swap parameters so that every piece starts where the one before ended."""
     ends = [(e.valueAt(a), e.valueAt(b)) for e, a, b in pieces]
+    if len(pieces) == 1:
+        here = ends[0][pieces[0][0].Orientation == "Reversed"]
+    else:  # the path starts at the end of the first piece that is further from the second
+        here = max(ends[0], key=lambda p: min(p.distanceToPoint(q) for q in ends[1]))
     turned = []
-    for k, (edge, first, last) in enumerate(pieces):
-        if k == 0:
-            reverse = len(pieces) > 1 and min(ends[0][0].distanceToPoint(p) for p in ends[1]) < min(
-                ends[0][1].distanceToPoint(p) for p in ends[1]
-            )
-            reverse = reverse or (len(pieces) == 1 and edge.Orientation == "Reversed")
-        else:
-            reverse = here.distanceToPoint(ends[k][1]) < here.distanceToPoint(ends[k][0])
+    for (edge, first, last), (start, end) in zip(pieces, ends, strict=True):
+        reverse = here.distanceToPoint(end) < here.distanceToPoint(start)
         turned.append((edge, last, first) if reverse else (edge, first, last))
-        here = ends[k][0] if reverse else ends[k][1]
+        here = start if reverse else end
     return turned
 
 
 def _direction(edge, parameter, leaving):
     """Unit direction of travel at the end (or, ``leaving``, at the start) of a piece."""
-    first, last = edge.FirstParameter, edge.LastParameter
-    forward = (parameter == first) == leaving
+    forward = (parameter == edge.FirstParameter) == leaving
     tangent = edge.tangentAt(parameter)
     return tangent if forward else -tangent
 

@@ -89,8 +89,8 @@ def _as_points(points):
     bad = ~np.isfinite(points).all(axis=1)
     if bad.any():
         raise ValueError(
-            f"Points: control point {int(np.argmax(bad)) + 1} has a coordinate that is not a finite "
-            "number; give it numbers in mm."
+            f"Points: control point {int(np.argmax(bad)) + 1} has a coordinate that is not a "
+            "finite number; give it numbers in mm."
         )
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])

@@ -28,12 +28,11 @@ class Placement:
     """Result of `place`: n units between n + 1 contact segments.
 
     ``points`` (n + 2, 3): the zigzag A_0, B_0, B_1 … (for pitch 0 consecutive segments share a
-    point); ``midpoints`` (n + 1, 3) on the curve at ``parameters`` and ``lengths`` from its
-    start (n + 1,); ``thetas`` (n,)
-    radians; ``reaches`` (n + 1, 3): r e_k, from the midpoint to the joint; ``legs`` (n + 1, 3) unit vectors along the
-    strip's legs ("upper") at the midpoints; ``sides`` (n,): +1 where the joint B of the unit lies
-    left of the path seen from upper, −1 on the right; ``length`` of the whole curve;
-    ``centre``: V of concurrent legs, else None.
+    point); ``midpoints`` (n + 1, 3) on the curve at ``parameters`` and ``lengths`` from its start
+    (n + 1,); ``thetas`` (n,) radians; ``reaches`` (n + 1, 3): r e_k, from the midpoint to the
+    joint; ``legs`` (n + 1, 3) unit vectors along the strip's legs ("upper") at the midpoints;
+    ``sides`` (n,): +1 where the joint B of the unit lies left of the path seen from upper, −1 on
+    the right; ``length`` of the whole curve; ``centre``: V of concurrent legs, else None.
     """
 
     points: np.ndarray

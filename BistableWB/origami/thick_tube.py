@@ -52,9 +52,7 @@ class ThickTube:
         if (first, last) == (0, len(self.tube) - 1):
             return self
         units = slice(first, last + 1)
-        tube = Tube(
-            self.tube.unit[units], self.tube.frames[units], self.tube.incoming_left[units]
-        )
+        tube = Tube(self.tube.unit[units], self.tube.frames[units], self.tube.incoming_left[units])
         placed = self.placement and self.placement.between(first, last)
         return ThickTube(tube, self.thick[units], placed)
 

@@ -82,7 +82,7 @@ def test_invalid_object_survives_a_save(doc, refused, valid, tmp_path):
 
 def test_missing_properties_are_added_to_an_old_file(doc, valid, tmp_path):
     """A file of a version that lacked a property opens, gets it, and keeps its values."""
-    curve, triangles, _ = chain(doc)
+    _, triangles, _ = chain(doc)
     triangles.EdgeLength = 33
     triangles.removeProperty("FlipSide")
     path = tmp_path / "old.FCStd"
@@ -97,7 +97,7 @@ def test_missing_properties_are_added_to_an_old_file(doc, valid, tmp_path):
 
 def test_repair_gives_lost_proxies_back(doc, valid):
     """What a save on a FreeCAD without the workbench leaves: no proxies, all properties."""
-    curve, triangles, unit = chain(doc)
+    curve, _, unit = chain(doc)
     valid(doc)
     before = numbers(doc)
     for obj in (curve, unit):

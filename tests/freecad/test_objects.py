@@ -212,7 +212,7 @@ def test_results_are_read_only_and_do_not_touch(doc, valid):
 
 
 def test_only_what_depends_is_recomputed(doc, valid):
-    curve, _, unit = chain(doc)
+    _, _, unit = chain(doc)
     valid(doc)
     unit.Deployment = 0.3
     assert doc.recompute() == 1

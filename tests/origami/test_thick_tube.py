@@ -58,7 +58,7 @@ def block_middles(tube, end):
         names = print_stack.contact_names(left)
         for name in names if k == len(places) - 1 else names[:1]:
             side = name.split("_")[1]
-            rows = [f"A_{side}_{e}" for e in end] + [f"B_{e}" for e in end]
+            rows = [f"{corner}_{e}" for corner in (f"A_{side}", "B") for e in end]
             corners = tube.thick.unit.flat[k][[tubes.INDEX[r] for r in rows]]
             middle = corners.mean(0) + [0, (-2 if side == "left" else 2) * PITCH, 0]
             motion = moved[k, BODIES.index(name)] @ places[k]
