@@ -34,7 +34,8 @@ def default_ruling(curve, edge_length=None):
 
     ``curve``: object with ``point(s)``; ``edge_length`` ‖AB‖ in the curve's unit of length lets
     parts of the curve pass over each other `CLEARANCE` ‖AB‖ apart along the legs; without it only
-    parts that meet in space count as overlapping. ValueError, with the place, where no candidate will do.
+    parts that meet in space count as overlapping. ValueError, with the place, where no candidate
+    will do.
     """
     view = _View(curve, edge_length)
     best = _most_open(view.tangents)

@@ -60,7 +60,8 @@ def block_middles(tube, end):
             side = name.split("_")[1]
             rows = [f"{corner}_{e}" for corner in (f"A_{side}", "B") for e in end]
             corners = tube.thick.unit.flat[k][[tubes.INDEX[r] for r in rows]]
-            middle = corners.mean(0) + [0, (-2 if side == "left" else 2) * PITCH, 0]
+            lift = (-2 if side == "left" else 2) * PITCH
+            middle = corners.mean(0) + np.array([0, lift, 0])
             motion = moved[k, BODIES.index(name)] @ places[k]
             lines.append(rigid.apply(motion, middle[None])[0])
     return np.array(lines)
