@@ -48,9 +48,9 @@ class DrawCurve(Command):
 
 def _show_millimetres(view, height):
     """Let an empty view show the plane from above, ``height`` mm of it."""
-    camera = view.getCameraNode()
-    camera.position = (0, 0, height)
-    camera.nearDistance, camera.farDistance = 1.0, 2.0 * height
-    camera.focalDistance = height
-    if hasattr(camera, "height"):
-        camera.height = height
+    view.setCamera(
+        "#Inventor V2.1 ascii\n\nOrthographicCamera {\n"
+        f"viewportMapping ADJUST_CAMERA\nposition 0 0 {height}\norientation 0 0 1 0\n"
+        f"nearDistance 1\nfarDistance {2 * height}\naspectRatio 1\nfocalDistance {height}\n"
+        f"height {height}\n}}\n"
+    )
