@@ -16,6 +16,7 @@ from .checks.printing import Print
 from .origami import print_stack, rigid
 from .origami.creases import CREASES
 from .origami.linkage import ThickUnit
+from .origami.snap import energy_path
 from .solids.tessellation import placed_meshes
 
 _OPENINGS = (0, 0.25, 0.5, 0.75, 1)
@@ -66,6 +67,7 @@ class HingedTube:
         stand = np.array(model.standing(self.obj.Orientation).toMatrix().A).reshape(4, 4)
         draw("print", "The flat-folded print and the deployed tube, in one light, at one scale",
              pictures.stack_and_tube, self.meshes, model.motions(1), *view, stand)  # fmt: skip
+        self._draw_snap(draw)
         first = [k for k, body in enumerate(model.bodies) if body.unit == 0]
         bodies = [self.meshes[k] for k in first]
         states = {o: _held(model.motions(o), first) for o in _OPENINGS}
@@ -77,7 +79,15 @@ class HingedTube:
             draw("hinge", "A hinge close up, and cut along its axis",
                  pictures.hinge_detail, fine, states[1], pair, axis, model.parameters)  # fmt: skip
 
-    @property
+    def _draw_snap(self, draw):
+        """Snap margin of every unit, and the energy that it has to pass without thickness."""
+        draw("margins", "Snap margin of every unit: below 1 it is floppy",
+             pictures.margin_chart, self.model.snap.margin)  # fmt: skip
+        unit = self.model.tube.tube.unit
+        draw("energy", "Energy of the units, without thickness, on the way",
+             pictures.energy_chart, *energy_path(unit.alpha, unit.beta))  # fmt: skip
+
+    @cached_property
     def _volume(self):
         return sum(body.mesh.volume for body in self.meshes)
 

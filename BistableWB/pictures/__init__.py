@@ -11,13 +11,17 @@ from .hinge import hinge_detail
 from .page import NoMatplotlib, require
 from .plan import top_view
 from .prints import openings, print_on_bed, stack_and_tube
+from .snap_charts import energy_chart, fit_chart, margin_chart
 from .states import both_states, standing_view
 
 __all__ = [
     "NoMatplotlib",
     "angle_chart",
     "both_states",
+    "energy_chart",
+    "fit_chart",
     "hinge_detail",
+    "margin_chart",
     "openings",
     "print_on_bed",
     "require",

@@ -8,6 +8,7 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from .. import colours
+from .camera import Camera
 
 _LEFT, _RIGHT = QtCore.Qt.LeftButton, QtCore.Qt.RightButton
 _REACH = 12  # pixels within which a click takes a point
@@ -117,33 +118,26 @@ class Handles:
 
     # where things are
 
-    def _volume(self):
-        """What the camera sees."""
-        manager = self.view.getViewer().getSoRenderManager()
-        aspect = manager.getViewportRegion().getViewportAspectRatio()
-        volume = manager.getCamera().getViewVolume(aspect)
-        if aspect < 1:
-            volume.scale(1 / aspect)
-        return volume
+    def _camera(self):
+        return Camera(self.view, self.canvas.width() / self.canvas.height())
 
     def _hit(self, where):
         """Number of the point under the mouse, None beside all."""
-        volume = self._volume()
+        camera = self._camera()
         size = np.array([self.canvas.width(), self.canvas.height()])
         best, found = _REACH, None
         for k, point in enumerate(self.points):
-            on_screen = volume.projectToScreen(coin.SbVec3f(*self._in_space(point)))
-            away = np.linalg.norm((np.array(on_screen.getValue()[:2]) - where) * size)
+            on_screen = np.array(camera.project(self._in_space(point)))
+            away = np.linalg.norm((on_screen - where) * size)
             if away < best:
                 best, found = away, k
         return found
 
     def _under_mouse(self, where, near):
         """Place of the control point that belongs under the mouse; None where there is none."""
-        ends = self._volume().projectPointToLine(coin.SbVec2f(*where))
         back = self._placement().inverse()
-        start, end = (back.multVec(App.Vector(*point.getValue())) for point in ends)
-        along = (end - start).normalize()
+        start, along = self._camera().ray(where)
+        start, along = back.multVec(start), back.Rotation.multVec(along)
         if self.obj.Kind == "Sphere":
             return self._on_sphere(start, along)
         normal = along if self.obj.Kind == "General" else plane_normal(self.points)

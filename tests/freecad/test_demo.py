@@ -77,7 +77,7 @@ def test_a_print_has_its_files_pictures_and_report(prints):
     assert code == 0
     assert names(out / "unit") == {
         "unit.FCStd", "unit-print.stl", "unit-print.3mf", "unit-print.png", "unit-opening.png",
-        "unit-hinge.png", "report.html",
+        "unit-hinge.png", "unit-margins.png", "unit-energy.png", "report.html",
     }  # fmt: skip
     assert names(out / "tube") == {"tube.FCStd", "tube-print.stl", "report.html"}
     assert names(out / "coupon") == {
@@ -122,7 +122,7 @@ def test_the_report_tells_numbers_and_what_is_floppy(prints):
                  "peak strain", "material", "fits the bed", "apart in the flat print"):  # fmt: skip
         assert part in text
     assert "The unit snaps" in text or "The unit is floppy" in text
-    assert text.count("data:image/png;base64,") == 3
+    assert text.count("data:image/png;base64,") == 5
 
 
 def test_a_floppy_print_is_called_floppy(doc):

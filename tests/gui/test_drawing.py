@@ -4,21 +4,35 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
-from pivy import coin
 from PySide import QtCore, QtGui
 
 from BistableWB import make
+from BistableWB.viewproviders.camera import Camera
 from BistableWB.viewproviders.handles import canvas_of_active_view as canvas
 from BistableWB.viewproviders.handles import plane_normal
 
 
 def pixel_of(point):
     """Where a point of space is in the canvas."""
-    manager = Gui.ActiveDocument.ActiveView.getViewer().getSoRenderManager()
-    aspect = manager.getViewportRegion().getViewportAspectRatio()
-    volume = manager.getCamera().getViewVolume(aspect)
-    x, y, _ = volume.projectToScreen(coin.SbVec3f(*point)).getValue()
+    camera = Camera(Gui.ActiveDocument.ActiveView, canvas().width() / canvas().height())
+    x, y = camera.project(point)
     return QtCore.QPoint(round(x * canvas().width()), round((1 - y) * canvas().height()))
+
+
+@pytest.mark.parametrize("kind", ["Orthographic", "Perspective"])
+def test_the_camera_finds_what_it_shows(gui, kind):
+    App.newDocument("Mine")
+    view = Gui.ActiveDocument.ActiveView
+    view.setCameraType(kind)
+    view.viewIsometric()
+    gui(0.5)
+    camera = Camera(view, 1.5)
+    point = App.Vector(3, 5, -2)
+    start, along = camera.ray(camera.project(point))
+    assert (point - start).cross(along).Length < 1e-4
+    x, y = camera.project(view.getPoint(*[side // 2 for side in view.getSize()]))
+    assert (x, y) == pytest.approx((0.5, 0.5), abs=0.01)
+    view.setCameraType("Orthographic")
 
 
 @pytest.fixture
