@@ -16,6 +16,8 @@ from BistableWB.origami.snap import assess
 from BistableWB.pictures import hinge, page
 from BistableWB.pictures import prints as prints_page
 
+pytestmark = pytest.mark.slow
+
 UNIT = """
 [design]
 name = "Print <me>"

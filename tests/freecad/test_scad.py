@@ -11,6 +11,8 @@ import pytest
 from BistableWB import make
 from BistableWB.exporters import export
 
+pytestmark = pytest.mark.slow
+
 ARCH = [(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)]
 needs_openscad = pytest.mark.skipif(not shutil.which("openscad"), reason="no openscad")
 
