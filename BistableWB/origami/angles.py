@@ -29,12 +29,13 @@ def half_opening(theta):
     return np.sin(theta / 2)
 
 
-def angles_for(theta, ratio):
+def angles_for(theta, ratio, dart=None):
     """Angles of the two triangles of a plane unit.
 
     Parameters: ``theta`` (radians) and ``ratio`` c = ‖A'C'‖/‖AB‖, scalars or arrays that
-    broadcast. Returns ``(alpha, beta, beta_prime)`` of that shape, radians: the closed form that
-    solves (2), (3) and the corrected (4). ValueError outside sin(θ/2) ≤ ratio < 1.
+    broadcast; ``dart`` = √(c² − σ) where it is known better than its rounded difference.
+    Returns ``(alpha, beta, beta_prime)`` of that shape, radians: the closed form that solves (2),
+    (3) and the corrected (4). ValueError outside sin(θ/2) ≤ ratio < 1.
     """
     theta, c = np.broadcast_arrays(np.asarray(theta, float), np.asarray(ratio, float))
     sigma = half_opening(theta) ** 2
@@ -47,15 +48,27 @@ def angles_for(theta, ratio):
         np.degrees(theta),
         low,
     )
-    # cos² α = 2 [(c + σ) + √((1 − σ)(c² − σ))] / (1 + c)², and its complement without cancellation.
-    long, short = np.sqrt(1 - sigma), np.sqrt(np.clip(c * c - sigma, 0, None))
+    # cos² α = 2 [(c + σ) + √((1 − σ)(c² − σ))] / (1 + c)²; all the rest without cancellation.
+    long = np.sqrt(1 - sigma)
+    short = dart_length(theta, c) if dart is None else dart
     cos_alpha = np.sqrt(2 * ((c + sigma) + long * short)) / (1 + c)
     sin_alpha = (1 - c) / (long + short)
     b = apex_distance(cos_alpha, c)
     alpha = np.arctan2(sin_alpha, cos_alpha)
-    beta = np.arctan2(b * sin_alpha, 1 - b * cos_alpha)
-    beta_prime = np.arctan2(c * sin_alpha, b - c * cos_alpha)
+    beta = np.arctan2(b, long)
+    beta_prime = np.arctan2(2 * c, (long + short) * cos_alpha)
     return alpha[()], beta[()], beta_prime[()]
+
+
+def dart_length(theta, ratio):
+    """√(c² − σ): where C' lies between the two A of the deployed base, in units of ‖AB‖."""
+    return np.sqrt(np.clip(ratio * ratio - np.sin(theta / 2) ** 2, 0, None))
+
+
+def exact_dart(theta):
+    """`dart_length` for `exact_sphere_ratio`, exact up to θ = 60° where it is 0."""
+    sigma = np.sin(theta / 2) ** 2
+    return np.clip(np.sqrt(1 - sigma) * (1 - 4 * sigma) / (3 - 4 * sigma), 0, None)
 
 
 def apex_distance(cos_alpha, ratio):

@@ -95,7 +95,8 @@ def plane_unit(theta, ratio, edge_length, strip_height):
     _check_lengths(edge_length, strip_height)
     theta, ratio = np.broadcast_arrays(np.asarray(theta, float), np.asarray(ratio, float))
     found = angles.angles_for(theta, ratio)
-    flat, deployed = _upper_pyramid(theta, ratio, found[0])
+    dart = angles.dart_length(theta, ratio)
+    flat, deployed = _upper_pyramid(theta, ratio, found[0], dart)
     shift = np.array([0, 0, strip_height / 2])
     states = [
         _with_lower(s * edge_length + shift, np.array([1, 1, -1.0])) for s in (flat, deployed)
@@ -129,7 +130,8 @@ def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
         radius,
     )
     ratio = angles.exact_sphere_ratio(theta) if rule == "exact" else np.full_like(theta, 0.5)
-    found = angles.angles_for(theta, ratio)
+    dart = angles.exact_dart(theta) if rule == "exact" else angles.dart_length(theta, ratio)
+    found = angles.angles_for(theta, ratio, dart)
     r = radius / edge_length
     shift = np.array([0, 0, strip_height / 2])
     scale = np.asarray(1 - strip_height / radius)[..., None, None]
@@ -144,7 +146,7 @@ def sphere_unit(theta, edge_length, omega, strip_height, rule="exact"):
         np.stack([np.cos(t) - rho, zero, -depth], -1),
     )
     states = []
-    for upper, centre in zip(_upper_pyramid(theta, ratio, found[0]), centres, strict=True):
+    for upper, centre in zip(_upper_pyramid(theta, ratio, found[0], dart), centres, strict=True):
         mirrored = upper * np.array([1, 1, -1.0])
         lower = centre[..., None, :] + scale * (mirrored - centre[..., None, :])
         states.append(_interleave(upper * edge_length + shift, lower * edge_length + shift))
@@ -166,7 +168,7 @@ def outer_radius(edge_length, omega):
     return edge_length / (2 * np.cos(omega))
 
 
-def _upper_pyramid(theta, ratio, alpha):
+def _upper_pyramid(theta, ratio, alpha, dart):
     """Flat and deployed A_left, A_right, B, C', P of one sub-unit for ‖AB‖ = 1: (…, 5, 3) each."""
     t = theta / 2
     sigma = np.sin(t) ** 2
@@ -178,7 +180,6 @@ def _upper_pyramid(theta, ratio, alpha):
         (b * cos_a, zero, b * sin_a),
     ]  # fmt: skip
     reach = np.sqrt(np.clip(b * b - sigma, 0, None))
-    dart = np.sqrt(np.clip(ratio * ratio - sigma, 0, None))
     deployed = [
         (zero, -np.sin(t), zero), (zero, np.sin(t), zero), (np.cos(t), zero, zero),
         (dart, zero, zero), (reach * cos_a, zero, reach * sin_a),
