@@ -4,6 +4,7 @@ import FreeCAD as App
 import pytest
 
 import BistableWB  # a saved proxy is restored only if its module can be imported
+from BistableWB import make
 
 assert BistableWB.__version__
 
@@ -40,3 +41,21 @@ def refused():
         return obj.getStatusString()
 
     return check
+
+
+@pytest.fixture
+def unit(doc, valid):
+    """One unit by itself, 60 mm."""
+    obj = make.make_bistable_unit(doc, theta=50, ratio=0.5, edge_length=60)
+    valid(doc)
+    return obj
+
+
+@pytest.fixture
+def tube(doc, valid):
+    """A tube along an arch; neighbouring units share their contact panels."""
+    curve = make.make_curve(doc)  # the example arch
+    triangles = make.make_triangle_placement(doc, curve, edge_length=60)
+    obj = make.make_bistable_unit(doc, triangles)
+    valid(doc)
+    return obj

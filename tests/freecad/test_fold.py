@@ -15,30 +15,10 @@ import FreeCAD as App
 import numpy as np
 import pytest
 
-from BistableWB import make
 from BistableWB.exporters import export
 
 ROOT = Path(__file__).resolve().parents[2]
 NPM = ROOT / "build" / "npm" / "node_modules"
-ARCH = [(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)]
-
-
-@pytest.fixture
-def unit(doc, valid):
-    """One unit by itself, 60 mm."""
-    obj = make.make_bistable_unit(doc, theta=50, ratio=0.5, edge_length=60)
-    valid(doc)
-    return obj
-
-
-@pytest.fixture
-def tube(doc, valid):
-    """A tube along an arch; neighbouring units share their contact panels."""
-    curve = make.make_curve(doc, points=ARCH)
-    triangles = make.make_triangle_placement(doc, curve, edge_length=60)
-    obj = make.make_bistable_unit(doc, triangles)
-    valid(doc)
-    return obj
 
 
 def fold_of(obj, path, **options):
