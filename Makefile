@@ -9,14 +9,15 @@ export OPENBLAS_NUM_THREADS := 1
 help: ## this list
 	@sed -nE 's/^([a-z-]+):.*## (.*)/\1|\2/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "  make %-14s %s\n", $$1, $$2}'
 
-demo: install ## a curve becomes a tube, and what prints it: into build/demo
+demo: ## a curve becomes a tube, and what prints it: into build/demo
+	@.ci/install demo
 	$(PYTHON) -m BistableWB.demo --out build/demo
 
 test: install ## every test: fast, FreeCAD 0.20 · 1.0 · sid, in the window, lint
 	@.ci/test
 
 test-fast: ## the mathematics and the house rules, no FreeCAD (seconds); ARGS="-k name" for some
-	$(PYTHON) -m pytest $(ARGS)
+	$(PYTHON) -m pytest -m "not slow" $(ARGS)
 
 test-freecad: $(SUITES:%=test-freecad-%) ## the tests inside freecadcmd of bookworm, trixie and sid; test-freecad-SUITE for one
 
@@ -50,7 +51,6 @@ install: ## with apt, what is missing
 	@.ci/install
 
 $(RUFF): .ci/requirements.txt
-	@rm -rf build/tools
 	@$(PYTHON) -m venv build/tools
 	@build/tools/bin/pip install -q --disable-pip-version-check -r .ci/requirements.txt
 	@touch $@

@@ -12,6 +12,8 @@ from BistableWB.origami.bezier import Bezier
 from BistableWB.origami.linkage import ThickUnit
 from BistableWB.origami.placement import place
 
+pytestmark = pytest.mark.slow
+
 ARCH = Bezier([[0, 0, 0], [90, 180, 0], [270, 180, 0], [360, 0, 0]])
 
 

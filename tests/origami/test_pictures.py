@@ -16,6 +16,8 @@ from BistableWB.pictures import hinge, page, prints, rendering, shading, stage, 
 from BistableWB.pictures.raster import rasterise
 from BistableWB.solids.mesh import Mesh, PlacedMesh
 
+pytestmark = pytest.mark.slow
+
 FRONT = rendering.Camera(np.eye(3))  # looks down on the xy plane
 SQUARE = np.array([[0.0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]])
 

@@ -9,6 +9,8 @@ from BistableWB.origami.auto_fit import Candidate, Fit, Wanted
 pytest.importorskip("matplotlib")
 from BistableWB.pictures import snap_charts
 
+pytestmark = pytest.mark.slow
+
 
 def drawn(path):
     return path.stat().st_size > 8000 and path.read_bytes().startswith(b"\x89PNG")

@@ -13,6 +13,8 @@ from BistableWB.origami.target_snap import TargetBarrier, TargetMargin
 from BistableWB.origami.tube import make_unit
 from BistableWB.origami.unit import plane_unit
 
+pytestmark = pytest.mark.slow
+
 
 def measured(theta, ratio, target):
     """What `snap.assess` says of compensated units."""
