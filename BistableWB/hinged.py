@@ -4,35 +4,36 @@
 Works on the recomputed HingeSet or HingeCoupon of a design; runs inside FreeCAD.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
-from . import pictures
-from .checks import ERROR, NOTE, WARNING, Finding
-from .checks.bed import Bed, check_bed
-from .checks.printing import Print
+from . import checking, pictures
+from .checks import ERROR, WARNING, Finding
 from .origami import print_stack, rigid
 from .origami.creases import CREASES
 from .origami.linkage import ThickUnit
 from .origami.snap import energy_path
-from .solids.tessellation import placed_meshes
+from .solids.tessellation import VIEW, placed_meshes
 
 _OPENINGS = (0, 0.25, 0.5, 0.75, 1)
-_CHECKED = (0.5, 1)  # openings at which nothing may overlap
 _CLOSE_UP = "AP_left_upper"  # the hinge of the close-up
 _FINE = 0.02, 0.12  # deflections of the close-up, mm and radians
 
 
 @dataclass(frozen=True)
 class PrintFacts:
-    """(name, value) pairs, `Finding` list, and a table of units: columns and rows of text."""
+    """(name, value) pairs, `Finding` list, and a table of units: columns and rows of text.
+
+    ``sections``: more of them, with a title and a text (`slicing.section.Section`).
+    """
 
     numbers: list
     findings: list
     columns: list
     rows: list
+    sections: list = field(default_factory=list)
 
     @property
     def errors(self):
@@ -51,11 +52,14 @@ class HingedTube:
         """`PlacedMesh` of every body in the print frame."""
         return placed_meshes(self.model.bodies)
 
-    def facts(self):
-        """`PrintFacts` by the object's results and the checks on its meshes."""
+    def facts(self, progress=lambda text: None):
+        """`PrintFacts` by the object's results and the checks on its meshes.
+
+        ``progress(text)`` is called after every check, and may raise to cancel.
+        """
         return PrintFacts(
             [*_size_numbers(self.obj, self._volume), *self._motion_numbers()],
-            [*_warnings(self.obj), *self._findings()],
+            [*_warnings(self.obj), *_found(self.obj, self.model.bodies, self.meshes, progress)],
             ["snap margin", "needed play", "peak strain"],
             self._rows(),
         )
@@ -78,6 +82,12 @@ class HingedTube:
             pair, axis = _hinge(model, fine)
             draw("hinge", "A hinge close up, and cut along its axis",
                  pictures.hinge_detail, fine, states[1], pair, axis, model.parameters)  # fmt: skip
+
+    def film(self, path):
+        """The print on its way from flat to deployed and back, as a GIF; returns the path."""
+        coarse = placed_meshes(self.model.bodies, *VIEW)
+        view = _upright(self.model.tube)
+        return pictures.deployment(path, coarse, self.model.motions, *view)
 
     def _draw_snap(self, draw):
         """Snap margin of every unit, and the energy that it has to pass without thickness."""
@@ -115,34 +125,6 @@ class HingedTube:
             for m, d, s in zip(*(np.atleast_1d(c) for c in columns), strict=True)
         ]
 
-    def _findings(self):
-        """How firmly it snaps, and what the checks found."""
-        model, tube = self.model, self.model.tube
-        checked = Print(self.meshes, model.parameters)
-        found = []
-        if self.obj.Orientation == "Flat":
-            found += check_bed(tube.thick, model.parameters, Bed(), tube.tube.incoming_left)
-        found += checked.check_soundness([body.shape.Volume for body in model.bodies])
-        if model.parameters.hinge_type == "Rotational":
-            found += checked.check_flat()
-            for opening in _CHECKED:
-                misfits = tube.thick.misfit(opening).reshape(-1, len(CREASES))
-                found += checked.check_poses(tube.motions(opening), opening, misfits)
-        return [self._snap_finding(), *found]
-
-    def _snap_finding(self):
-        margin = np.atleast_1d(self.model.snap.margin)
-        loose = (margin < 1) | ~np.atleast_1d(self.model.snap.bistable)
-        floppy, count = int(loose.sum()), len(margin)
-        least = float(margin.min())
-        if not floppy:
-            each = "The unit snaps" if count == 1 else f"All {count} units snap"
-            text = "its hinges have no play" if np.isinf(least) else f"margin {least:.2f} or more"
-            return Finding(NOTE, "snap", (), least, 1.0, f"{each}: {text}.")
-        what = "The unit is" if count == 1 else f"{floppy} of {count} units are"
-        message = f"{what} floppy: nothing but friction holds the deployed state."
-        return Finding(WARNING, "snap", (), least, 1.0, message)
-
 
 class Coupon:
     """A HingeCoupon object with the meshes of its bodies."""
@@ -155,10 +137,17 @@ class Coupon:
         """`PlacedMesh` of every body as printed."""
         return placed_meshes(self.bodies, *_FINE)
 
-    def facts(self):
-        """`PrintFacts` by the object's results."""
+    def facts(self, progress=lambda text: None):
+        """`PrintFacts` by the object's results and the checks on its meshes.
+
+        ``progress(text)`` is called after every check, and may raise to cancel.
+        """
         volume = sum(body.mesh.volume for body in self.meshes)
-        return PrintFacts(_size_numbers(self.obj, volume), _warnings(self.obj), [], [])
+        findings = [
+            *_warnings(self.obj),
+            *_found(self.obj, self.bodies, self.meshes, progress),
+        ]
+        return PrintFacts(_size_numbers(self.obj, volume), findings, [], [])
 
     def draw(self, draw):
         """The picture; ``draw(name, caption, function, *args)`` makes it."""
@@ -171,6 +160,14 @@ def _size_numbers(obj, volume):
         ("print", _millimetres(obj.PrintSize)),
         ("material", f"{volume / 1000:.1f} cm³"),
     ]
+
+
+def _found(obj, bodies, meshes, progress):
+    found = []
+    for code, check in checking.suite_of(obj, bodies, meshes).steps():
+        found += check()
+        progress(f"checked: {code}")
+    return found
 
 
 def _warnings(obj):

@@ -13,7 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
+from BistableWB.checks.printer import Printer
 from BistableWB.checks.printing import Print
+from BistableWB.checks.suite import Suite
 from BistableWB.exporters import stl, threemf
 from BistableWB.exporters.bodies import Body
 from BistableWB.origami import print_stack, unit
@@ -66,6 +68,9 @@ def main(count):
             f"opened to {opening:.0%}",
             lambda o=opening, m=motions, g=misfits: whole.check_poses(m, o, g),
         )
+    suite = Suite(meshes, volumes, parameters, Printer())
+    found += timed("layers and overhangs", suite.check_layers)
+    found += timed("walls and cones", suite.check_walls)
     for finding in found[:20]:
         print(f"  {finding.severity}: {finding}")
     one = ThickUnit(units[:1], parameters.face_thickness, parameters.gap_between_planes)

@@ -48,13 +48,18 @@ def stack_height(count, parameters):
     return 4 * parameters.pitch * count - parameters.gap_between_planes
 
 
-def print_size(corners, margin, parameters, bed=None):
+def print_size(corners, margin, parameters, bed=None, on_edge=False):
     """`PrintSize` of units whose outlines are ``corners`` (n, 10, 2), from `outlines`.
 
-    With a ``bed`` the print is turned so that it fits best, else as it lies.
+    With a ``bed`` the print is turned so that it fits best, else as it lies. ``on_edge``: it stands
+    on its side, A–B of the first unit upright.
     """
-    points = corners.reshape(-1, 2)
     height = stack_height(len(corners), parameters)
+    points = corners.reshape(-1, 2)
+    low, high = points.min(0) - margin, points.max(0) + margin
+    if on_edge:
+        points = np.array([[x, y] for x in (0, height) for y in (low[1], high[1])])
+        height, margin = float(high[0] - low[0]), 0.0
     best = None
     for turn in ANGLES if bed else ANGLES[:1]:
         axes = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
@@ -70,7 +75,7 @@ def fits(size, bed):
     return size.width <= bed.width and size.depth <= bed.depth and size.height <= bed.height
 
 
-def split(thick, parameters, bed, incoming_left=None):
+def split(thick, parameters, bed, incoming_left=None, on_edge=False):
     """Runs of units [(first, last)], counted from 0, each of which fits the bed by itself.
 
     As many units as possible go into every print; neighbouring runs are joined at the block between
@@ -81,7 +86,7 @@ def split(thick, parameters, bed, incoming_left=None):
     while first < len(corners):
         last = first
         while last < len(corners) and fits(
-            print_size(corners[first : last + 1], margin, parameters, bed), bed
+            print_size(corners[first : last + 1], margin, parameters, bed, on_edge), bed
         ):
             last += 1
         if last == first:
@@ -91,10 +96,10 @@ def split(thick, parameters, bed, incoming_left=None):
     return runs
 
 
-def check_bed(thick, parameters, bed, incoming_left=None):
+def check_bed(thick, parameters, bed, incoming_left=None, on_edge=False):
     """List with one `Finding`: the print's size, or how many units fit and where to split it."""
     corners, margin = outlines(thick, parameters, incoming_left)
-    size = print_size(corners, margin, parameters, bed)
+    size = print_size(corners, margin, parameters, bed, on_edge)
     room = f"{bed.width:g} × {bed.depth:g} × {bed.height:g} mm"
     extent = f"{size.width:.0f} × {size.depth:.0f} × {size.height:.1f} mm"
     if fits(size, bed):
@@ -109,9 +114,9 @@ def check_bed(thick, parameters, bed, incoming_left=None):
                 f"The print is {extent} large and fits the bed of {room}{turned}.",
             )
         ]
-    runs = split(thick, parameters, bed, incoming_left)
+    runs = split(thick, parameters, bed, incoming_left, on_edge)
     if not runs:
-        alone = print_size(corners[:1], margin, parameters, bed)
+        alone = print_size(corners[:1], margin, parameters, bed, on_edge)
         over = max(alone.width / bed.width, alone.depth / bed.depth, alone.height / bed.height)
         return [
             Finding(

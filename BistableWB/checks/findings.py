@@ -13,7 +13,8 @@ class Finding:
     ``severity``: `NOTE` (as it should be, worth knowing), `WARNING` or `ERROR`; ``code``: short
     fixed name of the check; ``place``: names of the bodies, hinge or unit; ``number`` was measured
     and ``limit`` asked for (mm unless the code says otherwise; None where there is none);
-    ``message``: one sentence; ``cure``: what to change; ``points``: where in space, mm.
+    ``message``: one sentence; ``cure``: what to change; ``points``: where in space, mm, in the
+    state ``opening`` (0 flat … 1 deployed), or on the bed as it is printed (None).
     """
 
     severity: str
@@ -24,6 +25,7 @@ class Finding:
     message: str
     cure: str = ""
     points: tuple = ()
+    opening: float | None = None
 
     def __str__(self):
         return f"{self.message[:-1]}: {self.cure}." if self.cure else self.message

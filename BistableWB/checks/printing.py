@@ -12,6 +12,7 @@ from .trees import Scene, Tree
 
 CLEARANCE_TOLERANCE = 0.02  # mm by which measured clearances may lie below the one asked for
 OVERLAP_TOLERANCE = 0.01  # mm of overlap in the deployed state that is taken for rounding
+_COMPENSATE = "switch Compensate on, so that the hinges close"
 _UNITS_AT_ONCE = 2  # limits the memory
 _HINGES = {frozenset(crease.bodies): k for k, crease in enumerate(CREASES)}
 
@@ -43,39 +44,46 @@ class Print:
                 found += soundness.check_volume(body.name, body.mesh, solid_volumes[k])
         return found
 
-    def check_flat(self):
-        """Findings: any two bodies nearer than the smallest clearance; else one note, the least."""
-        limit = self.parameters.smallest_clearance
+    def check_flat(self, resolution=0.0):
+        """Findings: any two bodies nearer than the smallest clearance; else one note, the least.
+
+        Clearances that are as asked for but below the printer's ``resolution`` (mm) are errors too.
+        """
+        asked = self.parameters.smallest_clearance
+        limit = max(asked - CLEARANCE_TOLERANCE, resolution)
+        reach = max(asked + CLEARANCE_TOLERANCE, resolution)
         least, found = np.inf, []
-        for scene, pairs, names in self._scenes(None, limit + CLEARANCE_TOLERANCE):
-            result = clearances(scene, limit + CLEARANCE_TOLERANCE, pairs)
+        for scene, pairs, names in self._scenes(None, reach):
+            result = clearances(scene, reach, pairs)
             least = min(least, result.distances.min(initial=np.inf))
-            short = result.distances < limit - CLEARANCE_TOLERANCE
-            for row in np.flatnonzero(short):
+            for row in np.flatnonzero(result.distances < limit):
                 bodies = [names[i] for i in result.pairs[row]]
-                found.append(self._too_near(bodies, result.distances[row], result.points[row]))
+                found.append(
+                    self._too_near(bodies, result.distances[row], result.points[row], resolution)
+                )
         if found:
             return sorted(found, key=lambda finding: finding.number)
         number = None if least == np.inf else float(least)
-        text = f"at least {limit:.3f} mm" if number is None else f"{least:.3f} mm"
+        text = f"at least {asked:.3f} mm" if number is None else f"{least:.3f} mm"
         return [
             Finding(
                 NOTE,
                 "clearance",
                 (),
                 number,
-                limit,
+                asked,
                 f"The nearest two moving bodies are {text} apart in the flat print.",
             )
         ]
 
-    def check_poses(self, motions, opening, misfits=None):
+    def check_poses(self, motions, opening, misfits=None, compensated=True):
         """Findings on bodies that overlap at an opening (0 flat, 1 deployed).
 
         ``motions`` (units, 15, 4, 4) from `print_stack.motions`. Deployed nothing may overlap; on
         the way no overlap may be deeper than the play of a hinge. Two bodies of one hinge may
         overlap by its misfit, if given (``misfits`` (units, 23) mm, `ThickUnit.misfit`): that is
-        the snap, which the bodies take up by bending.
+        the snap, which the bodies take up by bending. Not ``compensated`` units overlap because
+        they do not close.
         """
         limit = OVERLAP_TOLERANCE if opening in (0, 1) else self.parameters.play
         found, deepest = [], 0.0
@@ -86,7 +94,9 @@ class Print:
                 bodies = [names[i] for i in result.pairs[row]]
                 depth, own = result.depths[row], max(limit, _misfit(bodies, misfits))
                 if depth > own:
-                    found.append(self._overlap(bodies, depth, own, opening, result.points[row]))
+                    cure = cure_for(bodies, self.parameters)
+                    cure = cure if compensated or opening == 0 else _COMPENSATE
+                    found.append(_overlap(bodies, depth, own, opening, cure, result.points[row]))
         if found:
             return sorted(found, key=lambda finding: -finding.number)
         text = f"overlap by at most {deepest:.3f} mm" if deepest else "do not overlap"
@@ -128,25 +138,29 @@ class Print:
         unit, name = body.members[0]
         return motions[unit, BODIES.index(name)] @ body.place
 
-    def _too_near(self, bodies, distance, point):
-        limit, names = self.parameters.smallest_clearance, [body.name for body in bodies]
+    def _too_near(self, bodies, distance, point, resolution):
+        asked, names = self.parameters.smallest_clearance, [body.name for body in bodies]
         state = f"{distance:.3f} mm apart" if distance > 0 else "in contact"
+        least = f"{asked:.3g} mm asked for"
+        if asked - CLEARANCE_TOLERANCE < resolution:
+            least = f"{resolution:.3g} mm that a slicer keeps open"
         return Finding(
-            ERROR, "clearance", tuple(names), float(distance), limit,
-            f"{names[0]} and {names[1]} are {state} in the flat print, less than the "
-            f"{limit:.3g} mm asked for, and would fuse.",
-            _cure(bodies, self.parameters), _points(point),
+            ERROR, "clearance", tuple(names), float(distance), max(asked, resolution),
+            f"{names[0]} and {names[1]} are {state} in the flat print, less than the {least}, and "
+            "would fuse.",
+            cure_for(bodies, self.parameters), _points(point), 0.0,
         )  # fmt: skip
 
-    def _overlap(self, bodies, depth, limit, opening, point):
-        names = [body.name for body in bodies]
-        asked = f"more than {limit:.3g} mm of play and snap" if opening not in (0, 1) else "at rest"
-        return Finding(
-            ERROR if opening in (0, 1) else WARNING, "overlap", tuple(names), float(depth), limit,
-            f"{names[0]} and {names[1]} run {depth:.3f} mm into each other when opened to "
-            f"{opening:.0%}, {asked}.",
-            _cure(bodies, self.parameters), _points(point),
-        )  # fmt: skip
+
+def _overlap(bodies, depth, limit, opening, cure, point):
+    names = [body.name for body in bodies]
+    asked = f"more than {limit:.3g} mm of play and snap" if opening not in (0, 1) else "at rest"
+    return Finding(
+        ERROR if opening in (0, 1) else WARNING, "overlap", tuple(names), float(depth), limit,
+        f"{names[0]} and {names[1]} run {depth:.3f} mm into each other when opened to "
+        f"{opening:.0%}, {asked}.",
+        cure, _points(point), float(opening),
+    )  # fmt: skip
 
 
 def _units(body):
@@ -157,7 +171,7 @@ def _points(point):
     return () if np.isnan(point).any() else (tuple(point.tolist()),)
 
 
-def _common_hinges(bodies):
+def common_hinges(bodies):
     """(unit, index of the hinge) of all hinges between two bodies."""
     return [
         (unit, _HINGES[frozenset((one, two))])
@@ -171,12 +185,12 @@ def _misfit(bodies, misfits):
     """Largest misfit (mm) of the hinges between two bodies; 0 if they have none."""
     if misfits is None:
         return 0.0
-    return max((float(misfits[place]) for place in _common_hinges(bodies)), default=0.0)
+    return max((float(misfits[place]) for place in common_hinges(bodies)), default=0.0)
 
 
-def _cure(bodies, parameters):
+def cure_for(bodies, parameters):
     """The parameter that keeps two bodies apart: of their common hinge, or between layers."""
-    if _common_hinges(bodies):
+    if common_hinges(bodies):
         return f"make GapLength larger than {parameters.gap_length:.3g} mm"
     return (
         f"make GapBetweenPlanes larger than {parameters.gap_between_planes:.3g} mm, or EdgeLength "

@@ -2,24 +2,25 @@
 """The panel of the checks: findings as they come, computed beside the window."""
 
 import threading
+from dataclasses import replace
 
 from PySide import QtCore, QtGui
 
-from ..checks.bed import Bed, check_bed
+from .. import checking, openscad
+from ..checks.bed import Bed
 from ..checks.findings import ERROR, NOTE, WARNING, Finding
-from ..checks.printing import Print
-from ..objects import type_of
-from ..objects.hinge_inputs import hinge_parameters
-from ..origami import print_stack
+from ..slicing import toolpaths
 from ..solids.mesh import PlacedMesh
-from ..solids.tessellation import Tessellator
+from ..solids.tessellation import shared
 from ..viewproviders import settings
+from ..viewproviders.pointer import Pointer
 from .base import icon
 from .fields import error_colour
 from .texts import translate, value_text
 
-_SIGNS = {NOTE: "✓", WARNING: "!", ERROR: "✗"}
-_HALF = 0.5
+_SIGNS = {ERROR: "✗", WARNING: "!", NOTE: "✓"}
+_WORST_FIRST = list(_SIGNS)
+_MOST = 40  # findings that are shown, the worst ones
 
 
 class CheckPanel:
@@ -32,7 +33,9 @@ class CheckPanel:
         self.form.setWindowTitle(translate("BistableCheck", "Check {}").format(obj.Label))
         self.form.setWindowIcon(icon("Check"))
         self._build()
+        self.pointer = Pointer(obj)
         self.findings, self._shown, self._stopped, self.done = [], 0, False, False
+        self._rows, self._steps, self._thread, self.again = [], [], None, None
         self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._follow)
         QtCore.QTimer.singleShot(0, self._start)
@@ -46,6 +49,7 @@ class CheckPanel:
         """Close: a check that still runs is forgotten."""
         self._stopped = True
         self._timer.stop()
+        self.pointer.clear()
         return True
 
     def _build(self):
@@ -56,9 +60,14 @@ class CheckPanel:
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, 0)
         self.list = QtGui.QVBoxLayout()
-        column.addWidget(self.state)
-        column.addWidget(self.bar)
+        self.more = QtGui.QLabel()
+        self.more.hide()
+        self.others = QtGui.QVBoxLayout()  # what other programs may be asked
+        for widget in (self.state, self.bar):
+            column.addWidget(widget)
         column.addLayout(self.list)
+        column.addWidget(self.more)
+        column.addLayout(self.others)
         column.addStretch(1)
 
     def _start(self):
@@ -82,20 +91,110 @@ class CheckPanel:
             self.bar.setValue(len(self.subject.meshes))
         else:
             self._mesher.stop()
+            self.subject.finish()
             self._run(list(self.subject.steps()))
+            self._offer_printer()
+            self._offer_openscad()
+            self._offer_slicer()
+
+    def _offer_printer(self):
+        """Fields of the printer, and a button that checks the print for it."""
+        printer = self.subject.suite.printer
+        form = QtGui.QFormLayout()
+        fields = {}
+        for name, text in (
+            ("layer_height", translate("BistableCheck", "Layer height")),
+            ("nozzle_diameter", translate("BistableCheck", "Nozzle")),
+        ):
+            field = fields[name] = QtGui.QDoubleSpinBox()
+            field.setObjectName(name)
+            field.setRange(0.02, 5.0)
+            field.setSingleStep(0.05)
+            field.setSuffix(" mm")
+            field.setValue(getattr(printer, name))
+            form.addRow(text, field)
+        self.again = QtGui.QPushButton(translate("BistableCheck", "Check for this printer"))
+        self.again.setEnabled(False)
+        self.again.clicked.connect(lambda: self._check_for(fields))
+        self.others.addLayout(form)
+        self.others.addWidget(self.again)
+
+    def _check_for(self, fields):
+        """All checks anew, with the printer's values in ``fields``."""
+        values = {name: field.value() for name, field in fields.items()}
+        self.subject.finish(replace(self.subject.suite.printer, **values))
+        self.pointer.clear()
+        for _, row in self._rows:
+            self.list.removeWidget(row)
+            row.hide()  # deleted later
+            row.deleteLater()
+        self.findings, self._shown, self._rows, self._steps = [], 0, [], []
+        self._run(list(self.subject.steps()))
+
+    def _offer_openscad(self):
+        """A button that has the mesh judged by OpenSCAD, which takes its time."""
+        meshes = [body.placed for body in self.subject.meshes]
+        count = sum(len(mesh.triangles) for mesh in meshes)
+        minutes = max(1, round(count * openscad.SECONDS_A_TRIANGLE / 60))
+        self.offer(
+            translate("BistableCheck", "Ask OpenSCAD too (about {} min)").format(minutes),
+            translate("BistableCheck", "OpenSCAD renders the mesh with exact numbers."),
+            lambda: openscad.check(meshes, lambda: not self._stopped),
+        )
+
+    def _offer_slicer(self):
+        """A button that has the print sliced, and looks at the toolpaths."""
+        count = sum(len(body.mesh.triangles) for body in self.subject.meshes)
+        minutes = max(1, round(count * toolpaths.SECONDS_A_TRIANGLE / 60))
+        self.offer(
+            translate("BistableCheck", "Slice it too (PrusaSlicer, about {} min)").format(minutes),
+            translate("BistableCheck", "Looks whether the toolpaths keep bodies that move apart."),
+            lambda: self._slice(self.subject.suite),
+        )
+
+    def _slice(self, suite):
+        bodies, printer = suite.standing_bodies(), suite.printer
+        return toolpaths.check_toolpaths(bodies, suite.parameters, printer, self._ask_on)
+
+    def _ask_on(self):
+        """Stop a slicer when the panel is closed."""
+        if self._stopped:
+            raise openscad.Stopped
+
+    def offer(self, text, tip, step):
+        """A button for a check that is made only on demand: ``step()`` → list of `Finding`."""
+        button = QtGui.QPushButton(text)
+        button.setToolTip(tip)
+        button.setMinimumWidth(40)  # a narrow dock must not be made wider
+
+        def ask():
+            button.setEnabled(False)
+            self._run([(f"{text}…", step)])
+
+        button.clicked.connect(ask)
+        self.others.addWidget(button)
 
     def _run(self, steps):
-        self._steps = steps
-        self.bar.setRange(0, len(steps))
-        self._thread = threading.Thread(target=self._work, daemon=True)
-        self._thread.start()
+        """Add steps to those that are worked on beside the window."""
+        self._steps += steps
+        self.done = False
+        if self.again:
+            self.again.setEnabled(False)
+        self.bar.setRange(0, len(self._steps))
+        self.bar.show()
         self._timer.start(100)
+        self._work_on()
+
+    def _work_on(self):
+        """See to it that the steps are worked on; a thread may just have ended."""
+        if self._thread is None or not self._thread.is_alive():
+            self._thread = threading.Thread(target=self._work, daemon=True)
+            self._thread.start()
 
     def _work(self):
         """Run all steps; in a thread, so nothing of Qt or FreeCAD is touched."""
-        for _, step in self._steps:
-            if self._stopped:
-                return
+        while len(self.findings) < len(self._steps) and not self._stopped:
+            _, step = self._steps[len(self.findings)]
             try:
                 found = step()
             except Exception as error:  # a check that breaks must not hide the others
@@ -112,14 +211,20 @@ class CheckPanel:
         self.bar.setValue(self._shown)
         if self._shown < len(self._steps):
             self._say(self._steps[self._shown][0])
+            self._work_on()
             return
         self._timer.stop()
         self.bar.hide()
         self.done = True
-        every = [finding for found in self.findings for finding in found]
-        wrong = sum(finding.severity == ERROR for finding in every)
-        if wrong:
-            self._say(translate("BistableCheck", "{} errors: correct them first.").format(wrong))
+        if self.again:
+            self.again.setEnabled(True)
+        count = {kind: sum(rank == kind for rank, _ in self._rows) for kind in range(3)}
+        errors, warnings = (count[_WORST_FIRST.index(kind)] for kind in (ERROR, WARNING))
+        if errors:
+            self._say(translate("BistableCheck", "{} errors: correct them first.").format(errors))
+        elif warnings:
+            text = translate("BistableCheck", "No errors, but {} warnings before you print.")
+            self._say(text.format(warnings))
         else:
             self._say(translate("BistableCheck", "Nothing speaks against printing."))
 
@@ -127,26 +232,44 @@ class CheckPanel:
         self.state.setText(text)
 
     def _add(self, finding):
-        if self.list.count() > 40:
-            return
+        """A row for a finding, below those that are as bad."""
+        rank = _WORST_FIRST.index(finding.severity)
+        place = sum(other <= rank for other, _ in self._rows)
+        row = self._row(finding)
+        self._rows.insert(place, (rank, row))
+        self.list.insertWidget(place, row)
+        for number, (_, other) in enumerate(self._rows):
+            other.setVisible(number < _MOST)
+        left = len(self._rows) - _MOST
+        self.more.setText(translate("BistableCheck", "… and {} more.").format(left))
+        self.more.setVisible(left > 0)
+
+    def _row(self, finding):
+        row = QtGui.QWidget()
+        line = QtGui.QHBoxLayout(row)
+        line.setContentsMargins(0, 0, 0, 0)
         label = QtGui.QLabel(f"{_SIGNS[finding.severity]}  {finding}")
         label.setWordWrap(True)
         label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         if finding.severity == ERROR:
             label.setStyleSheet(f"color: {error_colour(self.form)}")
         label.setToolTip(value_text(list(finding.place)))
-        self.list.addWidget(label)
+        line.addWidget(label, 1)
+        if finding.place:
+            button = QtGui.QToolButton()
+            button.setArrowType(QtCore.Qt.RightArrow)  # no text: bodies have long names
+            button.setToolTip(translate("BistableCheck", "Show: select and mark it in the 3D view"))
+            button.clicked.connect(lambda: self.pointer.show(finding))
+            line.addWidget(button, 0, QtCore.Qt.AlignTop)
+        return row
 
 
 class _Subject:
     """A print object, its meshes, and the checks that it gets."""
 
     def __init__(self, obj):
-        self.parameters = hinge_parameters(obj)
-        self.model = obj.Proxy.model(obj) if type_of(obj) == "Bistable::HingeSet" else None
-        self.bodies = self.model.bodies if self.model else obj.Proxy.bodies(obj)
-        self.volumes = [body.shape.Volume for body in self.bodies]
-        self.meshes, self._tessellator, self._print = [], Tessellator(), None
+        self.obj, self.bodies = obj, checking.bodies_of(obj)
+        self.meshes, self._tessellator = [], shared()
 
     def mesh_next(self):
         """Mesh one more body; False when all are done."""
@@ -158,34 +281,22 @@ class _Subject:
         self.meshes.append(made)
         return True
 
-    def whole(self):
-        """The `Print`, made in the thread that asks first."""
-        self._print = self._print or Print(self.meshes, self.parameters)
-        return self._print
+    def finish(self, printer=None):
+        """All that needs FreeCAD, before the steps run beside it; ``printer``: not the own one."""
+        printer = printer or checking.printer_of(self.obj, Bed(*settings.bed()))
+        self.suite = checking.suite_of(self.obj, self.bodies, self.meshes, printer)
 
     def steps(self):
         """(what it does, function that returns findings) of all checks."""
-        if self.model:
-            yield translate("BistableCheck", "Size of the print…"), self._check_bed
-        yield (
-            translate("BistableCheck", "Closed solids…"),
-            lambda: self.whole().check_soundness(self.volumes),
-        )
-        yield (
-            translate("BistableCheck", "Clearances in the flat print…"),
-            lambda: self.whole().check_flat(),
-        )
-        for opening in (_HALF, 1.0) if self.model else ():
-            text = translate("BistableCheck", "Overlaps when opened to {:.0%}…").format(opening)
-            yield text, lambda o=opening: self._check_pose(o)
-
-    def _check_bed(self):
-        bed = Bed(*(settings.number(f"Bed{side}") for side in ("Width", "Depth", "Height")))
-        tube = self.model.tube
-        return check_bed(tube.thick, self.parameters, bed, tube.tube.incoming_left)
-
-    def _check_pose(self, opening):
-        tube = self.model.tube
-        motions = print_stack.motions(tube.thick, opening, tube.tube.incoming_left)
-        misfits = tube.thick.misfit(opening).reshape(len(motions), -1)
-        return self.whole().check_poses(motions, opening, misfits)
+        texts = {
+            "size": translate("BistableCheck", "Size of the print…"),
+            "snap": translate("BistableCheck", "Snap of the units…"),
+            "solids": translate("BistableCheck", "Closed solids…"),
+            "clearances": translate("BistableCheck", "Clearances in the flat print…"),
+            "layers": translate("BistableCheck", "Layers and overhangs…"),
+            "walls": translate("BistableCheck", "Walls and cones…"),
+            "overlaps": translate("BistableCheck", "Overlaps when opened to {}…"),
+        }
+        for code, step in self.suite.steps():
+            name, _, opening = code.partition(" ")
+            yield texts[name].format(opening), step

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FOLD: what the format asks for, checked here and by the npm packages fold and rabbit-ear.
 
-`node` asks them where both are installed (npm install --prefix build/npm fold rabbit-ear).
+`node` asks them where both are installed, which .ci/judges does.
 """
 
 import json

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""SVG and DXF of nets, and how all formats of zero thickness and OpenSCAD refuse what cannot be.
+"""SVG and DXF of nets, and what formats of zero thickness and OpenSCAD refuse.
 
-ezdxf is asked where it is installed. For FOLD see test_fold.py, for OpenSCAD test_scad.py.
+ezdxf is asked where it is installed. For FOLD see test_fold.py, for OpenSCAD test_scad.py, for what
+every format refuses test_export_failures.py.
 """
 
-import errno
-import os
 import xml.etree.ElementTree as ElementTree
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -113,46 +111,6 @@ def solid(doc):
     obj.Shape = Part.makeBox(1, 2, 3)
     doc.recompute()
     return obj
-
-
-@pytest.mark.parametrize("suffix", FORMATS)
-def test_a_full_disk_leaves_the_old_file(doc, unit, tmp_path, monkeypatch, suffix):
-    obj = solid(doc) if suffix == "scad" else unit
-    path = tmp_path / f"print.{suffix}"
-    path.write_text("old")
-    write = Path.write_text
-
-    def full(self, text, *args, **kwargs):
-        write(self, text[:100], *args, **kwargs)
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
-    with monkeypatch.context() as patched:
-        patched.setattr(Path, "write_text", full)
-        with pytest.raises(ValueError, match=r"No space left on device.*free some space"):
-            export(obj, path)
-    assert path.read_text() == "old"
-    assert [p.name for p in tmp_path.iterdir()] == [path.name]
-    export(obj, path)
-    assert path.stat().st_size > 200
-
-
-@pytest.mark.parametrize("suffix", FORMATS)
-def test_bad_targets_and_selections_are_refused(doc, unit, tmp_path, monkeypatch, suffix):
-    obj = solid(doc) if suffix == "scad" else unit
-    for selection in (None, [], ()):
-        with pytest.raises(ValueError, match="Nothing is selected"):
-            export(selection, tmp_path / f"a.{suffix}")
-    with pytest.raises(ValueError, match="There is no folder"):
-        export(obj, tmp_path / "nowhere" / f"a.{suffix}")
-    with pytest.raises(ValueError, match="has no option 'colour'"):
-        export(obj, tmp_path / f"a.{suffix}", colour=1)
-    with pytest.raises(ValueError, match=r"the suffix \.fould"):
-        export(obj, tmp_path / "a.fould")
-    with monkeypatch.context() as patched:
-        patched.setattr(os, "access", lambda *_: False)
-        with pytest.raises(ValueError, match="cannot be written"):
-            export(obj, tmp_path / f"a.{suffix}")
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_invalid_and_foreign_objects_are_refused(doc, unit, tmp_path):

@@ -12,15 +12,15 @@ import Part
 import pytest
 from FreeCAD import Vector
 
-from BistableWB import make
-from BistableWB.checks import soundness
+from BistableWB import make, openscad
+from BistableWB.checks import NOTE, soundness
 from BistableWB.exporters import export, stl, threemf
 from BistableWB.exporters.bodies import Body
 from BistableWB.origami import unit
 from BistableWB.origami.hinge_parameters import HingeParameters
 from BistableWB.origami.linkage import ThickUnit
 from BistableWB.solids.mesh import Mesh, component_labels, unpaired_edges
-from BistableWB.solids.tessellation import Tessellator, mesh_of, placed_meshes
+from BistableWB.solids.tessellation import VIEW, Tessellator, mesh_of, placed_meshes, shared
 from BistableWB.solids.tube import tube_bodies
 
 PARAMETERS = HingeParameters(segmentations=3)
@@ -96,6 +96,54 @@ def test_cones_are_strips_of_triangles():
     kernel = MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.05, AngularDeflection=0.3)
     assert len(mesh.triangles) < 0.75 * kernel.CountFacets
     assert mesh.volume == pytest.approx(shape.Volume, rel=0.02)
+
+
+def test_flats_lie_within_a_hundredth_of_round_faces_with_few_triangles(bodies):
+    body = next(b for b in bodies if "secondary" in b.name)
+    mesh = mesh_of(body.shape)
+    finer = mesh_of(body.shape.copy(), 0.005, 0.3)
+    assert len(mesh.triangles) < 0.5 * len(finer.triangles)
+    sides = mesh.corners[:, [0, 1, 2]], mesh.corners[:, [1, 2, 0]]
+    middles = np.unique(np.round(np.mean(sides, 0).reshape(-1, 3), 6), axis=0)
+    shell = body.shape.Shells[0]
+    off = [shell.distToShape(Part.Vertex(*p))[0] for p in middles[:: len(middles) // 200].tolist()]
+    assert max(off) < 0.0101
+    assert max(off) > 0.002  # the measure sees the flats
+
+
+def test_triangles_know_the_face_they_lie_on(bodies):
+    shape = next(b for b in bodies if "link" in b.name).shape
+    found, matrix = shared(*VIEW).meshed(shape)
+    corners, faces = found.mesh.moved(matrix).corners, shape.Faces
+    assert set(found.faces) == set(range(len(faces)))
+    assert {k for k, f in enumerate(faces) if isinstance(f.Surface, Part.Cone)} == set(found.cones)
+    for row in range(0, len(corners), 23):
+        vertex = Part.Vertex(*corners[row].mean(0).tolist())
+        assert faces[found.faces[row]].distToShape(vertex)[0] < 0.3
+
+
+def test_checks_and_files_share_one_mesh_a_body(bodies):
+    first = placed_meshes(bodies)
+    moved = bodies[3].shape.copy(False)
+    moved.translate(Vector(1, 2, 3))
+    mesh, matrix = shared().original(moved)
+    assert mesh is first[3].mesh
+    assert matrix == pytest.approx(first[3].place + _shift(1, 2, 3), abs=1e-9)
+    assert all(a.mesh is b.mesh for a, b in zip(first, placed_meshes(bodies), strict=True))
+
+
+def _shift(*by):
+    matrix = np.zeros((4, 4))
+    matrix[:3, 3] = by
+    return matrix
+
+
+def test_the_memory_of_meshes_is_limited(monkeypatch):
+    monkeypatch.setattr("BistableWB.solids.tessellation._REMEMBERED", 3)
+    tessellator = Tessellator()
+    for k in range(8):
+        assert tessellator.mesh(Part.makeBox(1, 1, 1 + k)).volume == pytest.approx(1 + k)
+        assert len(tessellator._known) <= 3
 
 
 def test_solids_that_touch_stay_apart():
@@ -178,25 +226,11 @@ def test_through_the_dispatcher_with_options(doc, tmp_path):
     assert read_model(tmp_path / "a.3mf").find(".//m:object", NAMESPACE).get("name") == "Cylinder"
 
 
-@pytest.mark.skipif(not shutil.which("openscad"), reason="needs openscad")
-def test_openscad_sees_as_many_closed_bodies_of_the_same_volume(bodies, tmp_path):
-    chosen = bodies[:15]
-    stl.write(chosen, tmp_path / "a.stl")
-    (tmp_path / "a.scad").write_text('union(){import("a.stl"); translate([0,0,-9]) cube(0.1);}')
-    run = subprocess.run(
-        ["openscad", "-o", "b.stl", "a.scad"], cwd=tmp_path, capture_output=True, text=True,
-        timeout=600, check=False,
-    )  # fmt: skip
-    assert "not closed" not in run.stderr
-    assert "ERROR" not in run.stderr
-    volumes = int(re.search(r"Volumes:\s*(\d+)", run.stderr).group(1))
-    assert volumes - 1 == len(chosen) + 1  # the outside counts, and so does the cube
-    text = (tmp_path / "b.stl").read_text()
-    numbers = re.findall(r"vertex\s+(\S+)\s+(\S+)\s+(\S+)", text)
-    corners = np.array(numbers, float).reshape(-1, 3, 3)
-    mesh = Mesh(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
-    expected = sum(body.shape.Volume for body in chosen) + 0.001
-    assert mesh.volume == pytest.approx(expected, rel=0.005)
+@pytest.mark.skipif(not openscad.installed(), reason="needs openscad")
+def test_openscad_sees_as_many_closed_bodies_of_the_same_volume(bodies):
+    (found,) = openscad.check([mesh.placed for mesh in placed_meshes(bodies[:15])])
+    assert found.severity == NOTE, found.message
+    assert "15 closed bodies" in found.message
 
 
 @pytest.mark.skipif(not shutil.which("prusa-slicer"), reason="needs prusa-slicer")

@@ -1,42 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """OpenSCAD renders our programs to the same volume, bodies and places, where it is installed."""
 
-import shutil
-import subprocess
-
 import FreeCAD as App
 import numpy as np
 import pytest
 
-from BistableWB import make
+from BistableWB import checking, make, openscad
+from BistableWB.checks import ERROR, NOTE
 from BistableWB.exporters import export
+from BistableWB.solids.mesh import Mesh
+from BistableWB.solids.tessellation import placed_meshes
 
 pytestmark = pytest.mark.slow
 
 ARCH = [(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)]
-needs_openscad = pytest.mark.skipif(not shutil.which("openscad"), reason="no openscad")
+needs_openscad = pytest.mark.skipif(not openscad.installed(), reason="no openscad")
 
 
-def rendered(path, only="", state=None):
-    """Triangles (n, 3, 3) that OpenSCAD makes of a file, and the number of its bodies."""
-    out = path.with_suffix(".stl")
-    settings = ["-D", f'only="{only}"', "-D", "sides=8"]
-    if state is not None:
-        settings += ["-D", f"state={state}"]
-    ran = subprocess.run(
-        ["openscad", *settings, "-o", str(out), str(path)],
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert "WARNING" not in ran.stderr, ran.stderr
-    assert "ERROR" not in ran.stderr, ran.stderr
-    words = [line.split()[1:] for line in out.read_text().splitlines() if "vertex" in line]
-    volumes = next(line for line in ran.stderr.splitlines() if "Volumes:" in line)
-    return np.array(words, float).reshape(-1, 3, 3), int(volumes.split()[-1]) - 1
-
-
-def volume(triangles):
-    a, b, c = np.moveaxis(triangles - triangles.reshape(-1, 3).mean(0), 1, 0)
-    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+def rendered(path, only=""):
+    """The `Mesh` that OpenSCAD makes of a file, and the number of its bodies."""
+    made = openscad.render(path, [f'only="{only}"', "sides=8"])
+    assert made.complaints == []
+    return made.mesh, made.bodies
 
 
 @needs_openscad
@@ -50,11 +35,10 @@ def test_scad_of_a_unit_has_its_volume(doc, valid, tmp_path, pivot):
     valid(doc)
     triangles, bodies = rendered(export(hinged, tmp_path / "unit.scad"))
     assert bodies == hinged.BodyCount == 15
-    assert volume(triangles) == pytest.approx(hinged.Shape.Volume, rel=0.005)
+    assert triangles.volume == pytest.approx(hinged.Shape.Volume, rel=0.005)
     box = hinged.Shape.BoundBox
     corners = [[box.XMin, box.YMin, box.ZMin], [box.XMax, box.YMax, box.ZMax]]
-    reach = triangles.reshape(-1, 3)
-    assert np.abs([reach.min(0), reach.max(0)] - np.array(corners)).max() < 0.25
+    assert np.abs(triangles.bounds - np.array(corners)).max() < 0.25
 
 
 @needs_openscad
@@ -74,11 +58,10 @@ def test_scad_parts_of_a_tube_are_in_their_places(doc, valid, tmp_path, state):
     for name in ("block01_02", "unit02_link_upper", "unit02_secondary_left_lower"):
         mesh, bodies = rendered(path, name)
         assert bodies == 1
-        assert volume(mesh) == pytest.approx(solids[name].Volume, rel=0.005)
+        assert mesh.volume == pytest.approx(solids[name].Volume, rel=0.005)
         box = solids[name].BoundBox
         corners = [[box.XMin, box.YMin, box.ZMin], [box.XMax, box.YMax, box.ZMax]]
-        reach = mesh.reshape(-1, 3)
-        assert np.abs([reach.min(0), reach.max(0)] - np.array(corners)).max() < 0.25
+        assert np.abs(mesh.bounds - np.array(corners)).max() < 0.25
 
 
 @needs_openscad
@@ -92,4 +75,59 @@ def test_scad_of_any_other_solid_is_a_polyhedron(doc, valid, tmp_path):
     valid(doc)
     triangles, bodies = rendered(export([box, ball], tmp_path / "two.scad"))
     assert bodies == 2
-    assert volume(triangles) == pytest.approx(box.Shape.Volume + ball.Shape.Volume, rel=0.005)
+    assert triangles.volume == pytest.approx(box.Shape.Volume + ball.Shape.Volume, rel=0.005)
+
+
+@pytest.fixture
+def coupon(doc, valid):
+    """Meshes of a hinged dihedral with three knuckles."""
+    made = make.make_hinge_coupon(doc)
+    made.Segmentations = 3
+    valid(doc)
+    return made
+
+
+@needs_openscad
+def test_openscad_agrees_on_bodies_and_volume_of_a_print(coupon):
+    found = [f for f in checking.check(coupon, with_openscad=True) if f.code == "openscad"]
+    assert [f.severity for f in found] == [NOTE]
+    assert "OpenSCAD agrees: 2 closed bodies" in found[0].message
+    assert found[0].number < 0.005
+
+
+def broken(mesh, damage):
+    if damage == "hole":
+        return [mesh[0], Mesh(mesh[1].vertices, mesh[1].triangles[1:])]
+    inside_out = Mesh(mesh[1].vertices, mesh[1].triangles[:, ::-1])
+    return [mesh[0], inside_out]
+
+
+@needs_openscad
+@pytest.mark.parametrize("damage", ["hole", "inside out"])
+def test_openscad_refuses_a_broken_print(coupon, damage):
+    meshes = [body.placed for body in placed_meshes(checking.bodies_of(coupon))]
+    (found,) = openscad.check(broken(meshes, damage))
+    assert found.severity == ERROR
+    assert found.cure
+
+
+@needs_openscad
+def test_openscad_can_be_stopped(coupon):
+    asked = []
+
+    def wanted():
+        asked.append(True)
+        return len(asked) < 3
+
+    meshes = [body.placed for body in placed_meshes(checking.bodies_of(coupon))]
+    with pytest.raises(openscad.Stopped):
+        openscad.check(meshes, wanted)
+
+
+def test_without_openscad_a_note_says_what_to_install(monkeypatch):
+    monkeypatch.setenv("OPENSCAD", "no-such-program")
+    (found,) = openscad.check([])
+    assert found.severity == NOTE
+    assert "install it" in found.message
+    with pytest.raises(openscad.NotInstalled, match="environment variable OPENSCAD"):
+        openscad.program()
