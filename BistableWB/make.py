@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Macro API: one function an object. mm and degrees; the document is not recomputed."""
 
+import contextlib
+
 import FreeCAD as App
 
 from .objects import TYPES, proxy_class
 from .objects.base import make_object, repair_object
-
-# Units between oblique contacts need their ratio some way above sin(theta/2).
-_OBLIQUE_SHARE = 0.15
+from .origami.ratios import DEFAULT_SHARE
 
 
 def make_curve(doc, points=None, source=None, kind="Plane", sphere_radius=None, name="Curve"):
@@ -51,18 +51,17 @@ def make_bistable_unit(
         if value is not None:
             setattr(obj, name, value)
     curve = getattr(triangles, "Curve", None)
-    kind = getattr(curve, "Kind", "")
-    if kind == "Sphere":
+    if getattr(curve, "Kind", "") == "Sphere":
         obj.RatioRule = "Exact"
-    elif kind == "General":
-        obj.RatioShare = _OBLIQUE_SHARE
     return obj
 
 
 def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
     """Thick, hinged panels for a BistableUnit object; ``preset``: a column of the paper's tables.
 
-    A tube's TrianglePlacement that does not allow for thickness yet gets the pitch of the panels.
+    A tube's TrianglePlacement that does not allow for thickness yet gets the pitch of the panels,
+    and its units expect the play of these hinges. Along a General curve units differ so much that
+    one share does not suit all: there a ratio rule that nobody has touched becomes TargetSnap.
     """
     from .objects.hinge_inputs import apply_preset, hinge_parameters
 
@@ -73,8 +72,23 @@ def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
         apply_preset(obj, preset)
     triangles = getattr(unit, "Triangles", None)
     if triangles is not None and triangles.Thickness.Value == 0:
-        triangles.Thickness = hinge_parameters(obj).pitch
+        parameters = hinge_parameters(obj)
+        triangles.Thickness = parameters.pitch
+        if unit.RatioRule != "TargetSnap":
+            unit.HingePlay = parameters.play
+        untouched = unit.RatioRule == "Adaptive" and unit.RatioShare == DEFAULT_SHARE
+        if getattr(triangles.Curve, "Kind", "") == "General" and untouched and parameters.play > 0:
+            unit.RatioRule = "TargetSnap"
     return obj
+
+
+def make_solids(hinges):
+    """Make the solids of a HingeSet now: Esc can stop it here, but not within a recompute.
+
+    What the HingeSet refuses, the next recompute will say.
+    """
+    with contextlib.suppress(ValueError):
+        hinges.Proxy.model(hinges)
 
 
 def make_hinge_coupon(doc, kind="Dihedral", preset="Hinge4"):

@@ -105,6 +105,14 @@ def set_result(obj, **values):
             setattr(obj, name, value)
 
 
+def set_warnings(obj, sentences):
+    """Write the result Warnings; those that are new are said in the report view as well."""
+    for sentence in sentences:
+        if sentence not in obj.Warnings:
+            App.Console.PrintWarning(f"{obj.Label}: {sentence}\n")
+    set_result(obj, Warnings=list(sentences))
+
+
 def global_placement(obj):
     """Placement of a document object in the global frame, also inside Parts and groups."""
     return obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement

@@ -10,10 +10,18 @@ import Part
 from ..origami import tube as tubes
 from ..origami.angles import angles_for
 from ..origami.creases import INDEX, PANELS
-from ..origami.ratios import DEFAULT_SHARE, RULES, RatioRule
+from ..origami.ratios import DEFAULT_SHARE, RULES, SPHERE_RULES, RatioRule
 from ..origami.snap import PLA_STRAIN, barrier
 from ..origami.target_snap import TargetBarrier, TargetMargin
-from .base import BistableObject, Prop, Result, global_placement, require_link, set_result
+from .base import (
+    BistableObject,
+    Prop,
+    Result,
+    global_placement,
+    require_link,
+    set_result,
+    set_warnings,
+)
 from .triangle_placement import TrianglePlacement, place_along
 
 _ALONE = ("Theta", "EdgeLength", "Omega", "Thickness")
@@ -43,7 +51,8 @@ class BistableUnit(BistableObject):
              "rule Fixed): at least sin(theta/2) and below 1; nearer to sin(theta/2) snaps harder",
              0.5),
         Prop("Float", "RatioShare", "Unit", "For the rule Adaptive: where the ratio lies between "
-             "sin(theta/2) (0) and 1; smaller snaps harder", DEFAULT_SHARE),
+             "the least one (0; sin(theta/2), more where contact panels lean) and 1; smaller snaps "
+             "harder", DEFAULT_SHARE),
         Prop("Float", "HeightRatio", "Unit", "‖AB‖ / h: edge length to height of the strip", 2.5),
         Prop("Length", "Thickness", "Target snap", "Pitch of the single unit's thick panels (face "
              "thickness + gap between planes), 1.8 mm for example; a tube takes it from its "
@@ -51,7 +60,7 @@ class BistableUnit(BistableObject):
         Prop("Float", "TargetMargin", "Target snap", "Wanted snap margin: needed play / play of "
              "the hinges. 1.5 is firm, below 1 is floppy", 1.5),
         Prop("Length", "HingePlay", "Target snap", "Play of one hinge; 0.28 mm is that of the "
-             "hinges' defaults", 0.28),
+             "hinges' defaults, 0 that of flexible hinges", 0.28),
         Prop("Float", "StrainLimit", "Target snap", "Peak strain that the material bears: 0.02 "
              "for PLA", PLA_STRAIN),
         Prop("Float", "TargetBarrier", "Target snap", "Instead of a margin: wanted energy barrier "
@@ -68,8 +77,8 @@ class BistableUnit(BistableObject):
                "ratio rule leaves unclosed"),
         Result("FloatList", "Barriers", "Results", "Energy barrier between the two states of "
                "every unit without thickness, in EA·‖AB‖ (symmetric unit of its theta and ratio)"),
-        Result("StringList", "Warnings", "Results", "Which units cannot reach the target, and what "
-               "would help"),
+        Result("StringList", "Warnings", "Results", "Which units are floppy (thick ones, with "
+               "hinges of HingePlay) or cannot reach the target, and what would help"),
     )  # fmt: skip
 
     def onChanged(self, obj, name):
@@ -95,7 +104,6 @@ class BistableUnit(BistableObject):
         """Faces of all panels at `Deployment`, and the angles and ratios of the units."""
         tube, warnings = _tube_and_warnings(obj)
         unit = tube.unit
-        points = tube.state(obj.Deployment)
         set_result(
             obj,
             Alphas=_degrees(unit.alpha),
@@ -105,12 +113,24 @@ class BistableUnit(BistableObject):
             IsometryError=float(unit.isometry_error().max()),
             Residual=float(unit.residual().max()),
             Barriers=_barriers(unit).tolist(),
-            Warnings=warnings,
         )
-        if obj.Triangles is not None:
-            matrix = np.array(global_placement(obj).inverse().toMatrix().A).reshape(4, 4)
-            points = points @ matrix[:3, :3].T + matrix[:3, 3]
-        obj.Shape = faces(points)
+        set_warnings(obj, warnings)
+        obj.Shape = _shape(obj, tube, obj.Deployment)
+
+    def bodies_at(self, obj, opening):
+        """[(name, shape)] of all faces at an opening."""
+        shape = _shape(obj, tube_of(obj), opening)
+        shape.Placement = obj.Placement
+        return [(obj.Label, shape)]
+
+
+def _shape(obj, tube, opening):
+    """Faces of a tube at an opening, in the object's own frame."""
+    points = tube.state(opening)
+    if obj.Triangles is not None:
+        matrix = np.array(global_placement(obj).inverse().toMatrix().A).reshape(4, 4)
+        points = points @ matrix[:3, :3].T + matrix[:3, 3]
+    return faces(points)
 
 
 def tube_of(obj):
@@ -123,14 +143,26 @@ def tube_of(obj):
 
 
 def _tube_and_warnings(obj):
+    """The tube, and sentences on units that miss the target or are floppy.
+
+    What is said of a snap is looked up, not measured: HingeSet measures it.
+    """
     tube = tube_of(obj)
-    if obj.RatioRule != "TargetSnap":
-        return tube, []
-    triangles = triangles_below(obj)
-    source = obj if triangles is None else triangles
-    return tube, _target(obj, source.EdgeLength.Value, source.Thickness.Value).choose(
-        tube.unit.theta
-    ).warnings
+    theta, leaning = tube.unit.theta, tube.leaning
+    source = triangles_below(obj) or obj
+    edge_length, pitch = source.EdgeLength.Value, source.Thickness.Value
+    if obj.RatioRule == "TargetSnap":
+        target = _target(obj, edge_length, pitch)
+        warnings = target.choose(theta, leaning).warnings
+        if isinstance(target, TargetMargin):
+            return tube, warnings
+    else:
+        warnings = []
+    if pitch > 0 and obj.HingePlay.Value > 0:
+        snap = TargetMargin(edge_length, pitch, play=obj.HingePlay.Value)
+        free = obj.RatioRule not in SPHERE_RULES
+        warnings = [*warnings, *snap.floppy(theta, tube.unit.ratio, leaning, free)]
+    return tube, warnings
 
 
 def triangles_below(obj):

@@ -6,13 +6,14 @@ import Part
 
 from ..origami.hinge_parameters import PRESETS
 from ..solids.coupons import KINDS, coupon_bodies
-from .base import BistableObject, Prop, Result, set_result
+from .base import Prop, Result, set_result
 from .hinge_inputs import HINGE_PROPERTIES, apply_preset, hinge_parameters, preset_remarks
+from .self_drawn import SelfDrawn
 
 CUSTOM = "Custom"
 
 
-class HingeCoupon(BistableObject):
+class HingeCoupon(SelfDrawn):
     """A hinged dihedral or four-degree vertex, to try a hinge before printing a tube."""
 
     Type = "Bistable::HingeCoupon"

@@ -16,16 +16,17 @@ from ..origami.thick_tube import ThickTube, thick_tube
 from ..solids.joint import part_bodies
 from ..solids.support import support_body
 from ..solids.tube import tube_bodies
-from .base import BistableObject, Prop, Result, require_link, set_result
+from .base import Prop, Result, require_link, set_result, set_warnings
 from .bistable_unit import SHAPING, BistableUnit, triangles_below, tube_of, tube_on
 from .hinge_inputs import HINGE_PROPERTIES, hinge_parameters
+from .self_drawn import SelfDrawn
 from .triangle_placement import geometry_below, place_on
 
 _SAMPLES = np.linspace(0, 1, 129)
 _OFF_CURVE = 0.01  # of ‖AB‖: further off is worth a warning
 
 
-class HingeSet(BistableObject):
+class HingeSet(SelfDrawn):
     """Every panel, link and contact block of a tube as a solid, in one stack for the print bed."""
 
     Type = "Bistable::HingeSet"
@@ -73,20 +74,24 @@ class HingeSet(BistableObject):
             CurveDeviation=_length(model.tube.deviation()),
             DeployedMisfit=_length(model.tube.thick.misfit(1.0).max()),
             SnapMargins=np.atleast_1d(model.snap.margin).tolist(),
-            Warnings=model.warnings,
         )
+        set_warnings(obj, model.warnings)
         obj.Shape = Part.makeCompound(model.shapes(obj.Deployment, obj.Orientation))
 
     def export_bodies(self, obj):
         """[(name, shape), …] of the flat-folded print in its orientation, whatever `Deployment`."""
-        model = self.model(obj)
-        shapes = model.shapes(0, obj.Orientation)
-        named = [(b.name, s) for b, s in zip(model.bodies, shapes, strict=True)]
+        model, named = self.model(obj), self.bodies_at(obj, 0)
         if obj.Support:
             body = model.support()
             body.Placement = model.standing(obj.Orientation) * body.Placement
             named.append(("support", body))
         return named
+
+    def bodies_at(self, obj, opening):
+        """[(name, shape), …] at an opening; flexible strips, which bend, are there at 0 only."""
+        model = self.model(obj)
+        names = [body.name for body in model.bodies if opening == 0 or body.members]
+        return list(zip(names, model.shapes(opening, obj.Orientation), strict=True))
 
     def model(self, obj):
         """The `Model` of a HingeSet object, from memory if nothing that shapes it has changed."""
@@ -97,11 +102,14 @@ class HingeSet(BistableObject):
                 f"RotationAngle is {obj.RotationAngle.Value:.6g}°: a tube is printed flat-folded, "
                 "set it to 0°; coupons can be printed partly open."
             )
-        units, bed = (obj.FirstUnit, obj.LastUnit), tuple(obj.Bed)
-        key = (parameters, obj.Compensate, units, bed, *_inputs(unit))
+        units = obj.FirstUnit, obj.LastUnit
+        room = tuple(obj.Bed), obj.Orientation
+        key = (parameters, obj.Compensate, units, *_inputs(unit))
         if getattr(self, "_key", None) != key:
-            self._model = _make_model(unit, parameters, obj.Compensate, units, bed)
+            self._model = _make_model(unit, parameters, obj.Compensate, units, room)
             self._key = key
+        else:
+            _check_bed(self._model.tube, parameters, room, obj.FirstUnit - 1)
         return self._model
 
 
@@ -153,12 +161,12 @@ def _moved(shape, placement):
     return moved
 
 
-def _make_model(unit, parameters, compensate, units, bed):
+def _make_model(unit, parameters, compensate, units, room):
     parameters.check()
     whole, warnings = _thick(unit, parameters, compensate)
     first, last = _range(units, len(whole.tube))
     part = whole.part(first, last)
-    _check_bed(part, parameters, bed, first)
+    _check_bed(part, parameters, room, first)
     notes = []
     indicator = App.Base.ProgressIndicator()
     indicator.start("Hinged solids…", len(part.tube))
@@ -188,16 +196,19 @@ def _range(units, count):
     return first, last
 
 
-def _check_bed(tube, parameters, bed, first):
-    """ValueError where the print does not fit a given bed, with the parts that would."""
-    if not any(bed):
+def _check_bed(tube, parameters, room, first):
+    """ValueError where the print does not fit a given bed, with the parts that would.
+
+    ``room``: the properties Bed and Orientation.
+    """
+    size, orientation = room
+    if not any(size):
         return
-    room = Bed(*bed)
-    finding = check_bed(tube.thick, parameters, room, tube.tube.incoming_left)[0]
+    given = tube.thick, parameters, Bed(*size), tube.tube.incoming_left, orientation == "OnEdge"
+    finding = check_bed(*given)[0]
     if finding.severity == ERROR:
-        runs = split(tube.thick, parameters, room, tube.tube.incoming_left)
-        parts = ", ".join(f"{a + first + 1}–{b + first + 1}" for a, b in runs)
-        cure = f"set FirstUnit and LastUnit to print the parts {parts}" if runs else finding.cure
+        parts = ", ".join(f"{a + first + 1}–{b + first + 1}" for a, b in split(*given))
+        cure = f"set FirstUnit and LastUnit to print the parts {parts}" if parts else finding.cure
         raise ValueError(f"Bed: {finding.message} Cure: {cure}.")
 
 

@@ -14,7 +14,7 @@ from . import rigid
 from .closure import BODY, FIRST, KEPT, SECOND, UNKNOWNS, Closure
 from .creases import BODIES, CREASES
 
-_FLOOR, _CEILING = 1e-6, 1e-2  # bounds of the regularisation, edge lengths
+_FLOOR, _CEILING = 3e-7, 1e-2  # bounds of the regularisation, edge lengths
 _LONGEST = 0.2  # step of a pose, radians or edge lengths
 
 

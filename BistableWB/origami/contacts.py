@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from . import rigid
 from .bezier import normalised
 from .errors import require
 
@@ -44,26 +45,84 @@ def contact_quads(placement, strip_height):
     return np.stack([upper[:, 0], upper[:, 1], lower[:, 1], lower[:, 0]], 1)
 
 
-def contact_pairs(placement, strip_height):
+def contact_pairs(placement, strip_height, sines=None):
     """``(left, right)`` contacts of the n units of a placement for `general_unit`: (n, 4, 3) each.
 
     Where the joint is left of the path (``sides`` +1) the unit is turned over about its leg, so
-    its *left* contact is the one ahead: every unit then has the hand of `plane_unit`. For thick
-    placements with parallel legs (pitch > 0) each contact is moved by half the double hinge, to the
-    leg in the middle; through a viewpoint thick contacts do not meet (ValueError).
+    its *left* contact is the one ahead: every unit then has the hand of `plane_unit`.
+
+    With a pitch the two axes of a unit's double hinge are parallel, each in the plane of its block:
+    so both run along the line in which these planes meet. Contacts are moved by half the double
+    hinge, to the leg in the middle. ``sines`` (n,), added to sin(θ/2), opens them wider.
     """
     quads = contact_quads(placement, strip_height)
     behind, ahead = quads[:-1], quads[1:, [1, 0, 3, 2]]
     if placement.pitch > 0:
         if placement.centre is not None:
-            raise ValueError(
-                "Thickness: contacts of thick panels whose legs meet at a viewpoint share no leg; "
-                "place the curve with Thickness none."
-            )
+            behind, ahead = _leaning(placement, strip_height, behind, ahead)
         shift = (ahead[:, 1:2] - behind[:, 1:2]) / 2
         behind, ahead = behind + shift, ahead - shift
+    if sines is not None and np.any(sines):
+        behind, ahead = _opened(behind, ahead, sines)
     turned = (placement.sides > 0)[:, None, None]
     return np.where(turned, ahead, behind), np.where(turned, behind, ahead)
+
+
+def _leaning(placement, strip_height, behind, ahead):
+    """Thick contacts, whose legs meet in a point of the unit's own, nearer than the viewpoint V.
+
+    The planes of both blocks pass V and meet in a line V-Q, with Q on a block's mid-line beyond
+    its joint B; the leg at B is parallel to it. It meets the leg of the block's midpoint M at the
+    share |B − M| / |Q − M| of the way from M to V: 1 without thickness. The mean of both blocks
+    counts, and h cuts the legs as in `contact_quads`.
+    """
+    v, r = placement.centre, placement.distances_from_centre
+    along, legs = normalised(placement.reaches), placement.legs
+    normals = np.cross(along, legs)
+    leg = normalised(np.cross(normals[:-1], normals[1:]))
+    leg *= np.sign((leg * legs[:-1]).sum(1, keepdims=True))
+    shares, reaches = [], []
+    for quads, k, out in ((behind, slice(None, -1), along), (ahead, slice(1, None), -along)):
+        m, out, normal = placement.midpoints[k], out[k], normals[k]
+        q = -_triple(m - v, leg, normal) / _triple(out, leg, normal)
+        require(
+            q > 0,
+            "The blocks{at} lean so much that their planes meet on the wrong side: make EdgeLength "
+            "shorter or move Ruling's viewpoint nearer to square with the curve.",
+        )
+        shares.append(((quads[:, 1] - m) * out).sum(1) / q)
+        reaches.append(shares[-1] * ((m + q[:, None] * out - v) * leg).sum(1))
+    share, reach = np.mean(shares, axis=0), np.mean(reaches, axis=0)[:, None]
+    at_joints = (r[:-1] + r[1:]) / 2
+    require(
+        share * at_joints > strip_height,
+        "Strip height h = {0:.6g}{at} does not fit between the curve and the point where the legs "
+        "of its thick panels meet, {value:.6g} away: raise HeightRatio, make the panels thinner "
+        "(FaceThickness, GapBetweenPlanes) or Gamma larger.",
+        share * at_joints, strip_height,
+    )  # fmt: skip
+    far = np.append(r[:1], at_joints[:-1]), np.append(at_joints[1:], r[-1:])
+    found = []
+    for quads, distance in zip((behind, ahead), far, strict=True):
+        a, b = quads[:, 0], quads[:, 1]
+        cut_a, cut_b = (strip_height / (share * x)[:, None] for x in (distance, at_joints))
+        a_low = a - cut_a * (a - (b - reach * leg))
+        found.append(np.stack([a, b, b - cut_b * reach * leg, a_low], 1))
+    return found
+
+
+def _opened(behind, ahead, sines):
+    """Contacts turned about the leg at B, half each, so that sin(θ/2) grows by ``sines``."""
+    pivot = behind[:, 2:3]
+    leg = normalised(behind[:, 1] - behind[:, 2])
+    outs = [normalised(np.cross(np.cross(leg, q[:, 0] - q[:, 1]), leg)) for q in (behind, ahead)]
+    half = np.arctan2(*(np.linalg.norm(v, axis=1) for v in (outs[1] - outs[0], outs[0] + outs[1])))
+    change = np.arcsin(np.sin(half) + sines) - half
+    change *= np.sign(_triple(*outs, leg))
+    return [
+        pivot + (q - pivot) @ np.swapaxes(rigid.rotation(way * change[:, None] * leg), 1, 2)
+        for q, way in ((behind, -1), (ahead, 1))
+    ]
 
 
 def normalised_contacts(contact_left, contact_right):

@@ -19,6 +19,10 @@ _LEFT = [INDEX[name] for name in PANELS["contact_left"]]
 _RIGHT = [INDEX[name] for name in PANELS["contact_right"]]
 _A_LEFT = [INDEX["A_left_upper"], INDEX["A_left_lower"]]
 _A_RIGHT = [INDEX["A_right_upper"], INDEX["A_right_lower"]]
+_BARS_OF_PANELS = [
+    [i for i, bar in enumerate(BARS) if set(bar) <= {INDEX[corner] for corner in corners}]
+    for corners in PANELS.values()
+]
 _ITERATIONS = 40
 
 
@@ -63,6 +67,16 @@ def opening_state(unit, opening):
 def misfit(unit, points):
     """Largest change of length of any edge or diagonal in state ``points``, unit of ‖AB‖: (…)."""
     return np.abs(bar_lengths(points) - bar_lengths(unit.flat)).max(-1)
+
+
+def panel_strains(unit, points):
+    """Largest relative change of length of any edge or diagonal of every panel: (…, 12).
+
+    ``points`` (…, 10, 3): a state of ``unit``, as `opening_state` gives it; panels in the order of
+    the crease table.
+    """
+    strains = np.abs(bar_lengths(points) / bar_lengths(unit.flat) - 1)
+    return np.stack([strains[..., bars].max(-1) for bars in _BARS_OF_PANELS], -1)
 
 
 def _relaxed(points, lengths):

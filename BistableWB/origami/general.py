@@ -59,8 +59,8 @@ def general_unit(contact_left, contact_right, ratio):
     single = np.ndim(contact_left) == 2
     quads, origin, scale = normalised_contacts(contact_left, contact_right)
     ratio = np.broadcast_to(np.asarray(ratio, float), len(scale))
-    theta, deployed, flat = _symmetric_start(quads, ratio)
-    worst = _solve(deployed, flat)
+    theta, deployed, flat = symmetric_start(quads, ratio)
+    worst = solve(deployed, flat)
     require(
         worst <= _SOLVED,
         "No isometric unit was found for the contacts{at} (residual {value:.2g}): make EdgeLength "
@@ -72,16 +72,7 @@ def general_unit(contact_left, contact_right, ratio):
     return _as_unit(deployed, flat, theta, origin, scale, single)
 
 
-def openings(contact_left, contact_right):
-    """Opening θ (n,) of units between contacts (n, 4, 3), to choose their ratios by: radians."""
-    quads, _, _ = normalised_contacts(contact_left, contact_right)
-    level, _, _ = _bases(quads, _unfolded(quads))
-    theta = level["upper"].theta
-    check_opening(theta)
-    return theta
-
-
-def _symmetric_start(quads, ratio):
+def symmetric_start(quads, ratio):
     """θ (n,), deployed (n, 10, 3) and flat (n, 10, 2) vertices of the unit to start from.
 
     C' is that of `plane_unit` on the triangle A', B, A', where A' is the point of A's leg level
@@ -91,11 +82,11 @@ def _symmetric_start(quads, ratio):
     """
     n = len(quads)
     deployed, flat = np.empty((n, 10, 3)), np.empty((n, 10, 2))
-    unfolded = _unfolded(quads)
+    laid = unfolded(quads)
     for k, side in enumerate(("left", "right")):
         deployed[:, _CONTACTS[side]] = quads[:, k]
-        flat[:, _CONTACTS[side]] = unfolded[:, k]
-    level, tilted, drop = _bases(quads, unfolded)
+        flat[:, _CONTACTS[side]] = laid[:, k]
+    level, tilted, drop = bases(quads, laid)
     theta = _place_c(deployed, flat, ratio, level, drop)
     for end in _ENDS:
         _place_apex(deployed, flat, ratio, end, tilted[end])
@@ -133,13 +124,14 @@ def _base(a, b, up, a_flat, b_flat, sign):
     return _Base(b, x, z, length, theta, b_flat, x_flat, z_flat)
 
 
-def _bases(quads, unfolded):
+def bases(quads, laid):
     """Bases by end: level with B, and tilted to the mean height of A; that height, (n, 2 ends).
 
-    A level A' lies where A' − B is square with the bisector of the legs at A and B.
+    ``laid``: the contacts by `unfolded`. A level A' lies where A' − B is square with the bisector
+    of the legs at A and B.
     """
     a, b = quads[:, :, [0, 3]], quads[:, :, [1, 2]]
-    a_flat, b_flat = unfolded[:, :, [0, 3]], unfolded[:, :, [1, 2]]
+    a_flat, b_flat = laid[:, :, [0, 3]], laid[:, :, [1, 2]]
     leg_a, leg_b, leg_flat = (normalised(q[:, :, :1] - q[:, :, 1:]) for q in (a, b, a_flat))
     move = ((b - a) * (leg_a + leg_b)).sum(-1) / (1 + (leg_a * leg_b).sum(-1))
     mean = move.mean(1)
@@ -214,7 +206,7 @@ def _dot(a, b):
     return (a * b).sum(-1)
 
 
-def _unfolded(quads):
+def unfolded(quads):
     """Contacts laid flat, left of their leg at B, which runs up the axis x = 0: (n, 2, 4, 2)."""
     b, b_low = quads[:, :, 1:2], quads[:, :, 2:3]
     up = normalised(b - b_low)
@@ -239,7 +231,7 @@ _I, _J = _pairs()
 _ROWS = np.arange(len(_I))
 
 
-def _solve(deployed, flat):
+def solve(deployed, flat):
     """Gauss-Newton in place; returns the largest relative residual of each unit (n,)."""
     worst = np.full(len(flat), np.inf)
     active = np.arange(len(flat))

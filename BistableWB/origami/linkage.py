@@ -48,10 +48,11 @@ class ThickUnit:
 
     ``unit``: `unit.Unit` in mm; ``face_thickness`` t and ``gap_between_planes`` g in mm, both
     above 0; ``shifts`` (23, 2) mm moves the start and the end of every axis across it in the flat
-    plane, along ``normals``. ValueError names the parameter, or the unit that has no solution.
+    plane, along ``normals``; ``lines``: see `lines`. ValueError names the parameter, or the unit
+    that has no solution.
     """
 
-    def __init__(self, unit, face_thickness, gap_between_planes, shifts=None):
+    def __init__(self, unit, face_thickness, gap_between_planes, shifts=None, lines=None):
         for name, value in (
             ("FaceThickness", face_thickness),
             ("GapBetweenPlanes", gap_between_planes),
@@ -69,16 +70,24 @@ class ThickUnit:
         n = len(unit)
         given = np.zeros((n, len(CREASES), 2)) if shifts is None else np.asarray(shifts, float)
         self._shifts = given.reshape(n, len(CREASES), 2)
+        self._lines = self._middles() if lines is None else np.reshape(lines, (n, 2, 2, 3))
         self._known = {}
 
     def __len__(self):
         return len(self.unit)
 
     def __getitem__(self, units):
-        """A smaller batch (a slice of units), shifts kept."""
-        return ThickUnit(
-            self.unit[units], self.face_thickness, self.gap_between_planes, self.shifts[units]
+        """A smaller batch (a slice of units), shifts and lines kept."""
+        thicknesses = self.face_thickness, self.gap_between_planes
+        return ThickUnit(self.unit[units], *thicknesses, self._shifts[units], self._lines[units])
+
+    def laid(self, lines):
+        """The same unit with other `lines`."""
+        result = ThickUnit(
+            self.unit, self.face_thickness, self.gap_between_planes, self._shifts, lines
         )
+        result._known = self._known
+        return result
 
     @property
     def shifts(self):
@@ -130,13 +139,19 @@ class ThickUnit:
         shifts, poses, converged = self._compensation
         require(
             converged,
-            "Hinges{at} cannot be shifted so that the unit closes when deployed: " + _CURE,
-            None,
+            "Hinges{at} cannot be shifted so that the unit closes when deployed (at {value:.0f}°): "
+            + _CURE[:-1]
+            + "; beyond 110° only less Gamma or a Ratio nearer to sin(theta/2) helps.",
+            np.degrees(np.abs(self._closure.turn)),
             self.pitch,
             self.scale,
         )
         result = ThickUnit(
-            self.unit, self.face_thickness, self.gap_between_planes, shifts * self.scale
+            self.unit,
+            self.face_thickness,
+            self.gap_between_planes,
+            shifts * self.scale,
+            self._lines,
         )
         result._known[_DEPLOYED] = poses
         return result
@@ -145,26 +160,21 @@ class ThickUnit:
         """Pose of the right contact panel seen from the left one, mm: (4, 4)."""
         return self.poses(x)[..., RIGHT, :, :]
 
-    def block_lines(self, x=1.0, end="middle"):
-        """Lines A-B in the mid-planes of the two blocks that hold the contact panels.
+    @property
+    def lines(self):
+        """Mid-lines A-B of the two blocks that hold the contact panels, flat state, mm: (2, 2, 3).
 
         A block joins layer 4 of one unit to layer 1 of the next, so its mid-plane lies two pitches
-        from the unit's middle. ``end``: "upper", "lower" or "middle" of the strip. Returns
-        (2 blocks, A and B, 3) mm in the left contact panel's frame.
+        from the unit's middle. Blocks follow the curve, and lie on each other, by these lines: the
+        middle of the strip, its upper end where the legs meet in a point; `laid` moves them.
         """
-        ends = ("upper", "lower") if end == "middle" else (end,)
-        flat = self._flat
-        lines = np.stack(
-            [
-                np.mean([flat[:, [INDEX[f"A_{side}_{e}"], INDEX[f"B_{e}"]]] for e in ends], 0)
-                for side in ("left", "right")
-            ],
-            1,
-        )
-        lines[..., 1] += np.array([[-2], [2]]) * self.pitch
+        return self._out(self._lines)
+
+    def block_lines(self, x=1.0):
+        """`lines` at opening ``x`` in the left contact panel's frame, mm: (2, 2, 3)."""
         poses = self.poses(x)
         poses = poses[None] if self._single else poses
-        return self._out(rigid.apply(poses[:, [0, RIGHT]], lines))
+        return self._out(rigid.apply(poses[:, [0, RIGHT]], self._lines))
 
     # -- for `snap`: always batched, lengths in edge lengths --------------------------------------
 
@@ -212,6 +222,16 @@ class ThickUnit:
     @property
     def _flat(self):
         return self.unit.flat.reshape(-1, *self.unit.flat.shape[-2:])
+
+    def _middles(self):
+        ends = ("upper", "lower") if self.unit.omega is None else ("upper",)
+        corners = [
+            [[INDEX[f"{corner}_{end}"] for end in ends] for corner in (f"A_{side}", "B")]
+            for side in ("left", "right")
+        ]
+        lines = self._flat[:, corners].mean(-2)
+        lines[..., 1] += np.array([[-2], [2]]) * self.pitch
+        return lines
 
     @cached_property
     def _nominal(self):

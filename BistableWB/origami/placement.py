@@ -335,6 +335,12 @@ def _check_open(table, edge_length):
 def _too_tight(table, low, high, edge_length):
     """Refuse a bend that the units cannot follow, naming its sharpest place."""
     radius, point = _sharpest(table, low, high)
+    if radius > edge_length:  # the bend is wide enough
+        raise ValueError(
+            f"Curve: units run into each other near {_where(point)}, where they tilt too much; "
+            "make EdgeLength shorter or Gamma smaller, or along a General curve move Ruling nearer "
+            "to square with the curve or switch Level on."
+        )
     raise ValueError(
         f"Curve: the radius of curvature is too small near {_where(point)} (about {radius:.4g} mm, "
         f"EdgeLength {edge_length:.6g} mm needs more than {edge_length / 2:.4g} mm); make "

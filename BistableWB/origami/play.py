@@ -11,6 +11,7 @@ from .closure import UNKNOWNS, solved
 
 _GROWTH = 40.0  # of the barrier's sharpness from one stage to the next
 _ROUNDS = 80
+_LONGEST = 0.2  # step of a pose, radians or edge lengths
 
 
 def smallest_largest(closure, poses, accuracy=1e-3):
@@ -64,8 +65,13 @@ def _newton(closure, poses, level, sharpness):
 
 
 def _inside(closure, poses, level, step, rise):
-    """Share of the step, at most 1, that keeps every axis end well within its bound."""
-    share = np.ones(len(level))
+    """Share of the step, at most 1, that keeps every axis end well within its bound.
+
+    Far from the optimum a step may be of any length: it is held to `_LONGEST` and to twice δ.
+    """
+    with np.errstate(divide="ignore"):
+        share = np.minimum(level / np.abs(rise), _LONGEST / np.abs(step).max(-1))
+    share = np.minimum(share, 1)
     residual = closure.residual(poses)
     old = level**2 - (residual**2).sum(-1).max((1, 2))
     for _ in range(40):

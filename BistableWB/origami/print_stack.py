@@ -9,7 +9,7 @@ the stack, y against its legs (so that the frame is right-handed); the bed is z 
 import numpy as np
 
 from . import rigid
-from .creases import BODIES, INDEX
+from .creases import BODIES
 
 # Unit's flat frame (plan x, z; stack y) → print frame (plan x, −y; stack z).
 _UPRIGHT = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
@@ -31,10 +31,10 @@ def frames(thick, incoming_left=None):
     """Frames (n, 4, 4) that carry each unit's flat frame into the print frame.
 
     ``thick``: `ThickUnit` (one unit or a batch); ``incoming_left`` (n,) bool as in `tube.Tube`,
-    alternating if not given.
+    alternating if not given. Units lie on each other by the mid-lines of the blocks they share.
     """
-    flat = thick.unit.flat.reshape(-1, *thick.unit.flat.shape[-2:])
-    count = len(flat)
+    lines = thick.lines.reshape(-1, 2, 2, 3)
+    count = len(lines)
     lower_left = alternating(count) if incoming_left is None else np.asarray(incoming_left, bool)
     lift = 2 * thick.pitch - thick.gap_between_planes / 2
     found = np.empty((count, 4, 4))
@@ -45,21 +45,20 @@ def frames(thick, incoming_left=None):
         if below is None:
             plan = turned
         else:
-            here = rigid.apply(turned, flat[k][_corners(entry, swapped=True)])
+            here = rigid.apply(turned, _line(lines[k], entry)[::-1])
             plan = _slide(here, below) @ turned
         found[k] = plan
-        below = rigid.apply(plan, flat[k][_corners(leave)])
+        below = rigid.apply(plan, _line(lines[k], leave))
         found[k, 2, 3] = lift + 4 * thick.pitch * k
     return found
 
 
-def _corners(contact, swapped=False):
-    a, b = ("B", f"A_{contact.split('_')[1]}") if swapped else (f"A_{contact.split('_')[1]}", "B")
-    return [INDEX[f"{v}_{end}"] for v in (a, b) for end in ("upper", "lower")]
+def _line(lines, contact):
+    return lines[0 if contact == "contact_left" else 1]
 
 
 def _slide(before, after):
-    """Turn about z and shift in x, y that lay ``before`` (4, 3) on ``after`` in plan."""
+    """Turn about z and shift in x, y that lay a line ``before`` (2, 3) on ``after`` in plan."""
     a, b = (p[:, 0] + 1j * p[:, 1] for p in (before, after))
     turn = np.vdot(a - a.mean(), b - b.mean())
     turn /= abs(turn)

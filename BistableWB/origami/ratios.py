@@ -16,10 +16,10 @@ DEFAULT_SHARE = 0.03
 class RatioRule:
     """A rule by its ``name`` and its number.
 
-    Adaptive: c lies at the fraction ``share`` of the way from sin(θ/2) to 1, so that it is in
-    range for every θ. Fixed: the given ``ratio``. Exact: 1/(3 − 4 sin²(θ/2)), which closes on a
-    sphere. Paper: 1/2. TargetSnap: as ``target`` chooses, a `target_snap.TargetMargin` or
-    `target_snap.TargetBarrier`.
+    Adaptive: c lies at the fraction ``share`` of the way from the least ratio to 1, so that it is
+    in range for every unit; the least is sin(θ/2), more between leaning contacts. Fixed: the given
+    ``ratio``. Exact: 1/(3 − 4 sin²(θ/2)), which closes on a sphere. Paper: 1/2. TargetSnap: as
+    ``target`` chooses, a `target_snap.TargetMargin` or `target_snap.TargetBarrier`.
     """
 
     name: str = "Adaptive"
@@ -27,15 +27,18 @@ class RatioRule:
     share: float = DEFAULT_SHARE
     target: object = None
 
-    def ratios(self, theta):
-        """Ratios for ``theta`` (radians, scalar or array); ValueError for a bad rule or number."""
+    def ratios(self, theta, leaning=None):
+        """Ratios for ``theta`` (radians, scalar or array) and `leaning.Leaning` (None: upright).
+
+        ValueError for a bad rule or number.
+        """
         if self.name == "Adaptive":
             if not (np.isfinite(self.share) and 0 <= self.share < 1):
                 raise ValueError(
                     f"RatioShare is {self.share:.6g}: it must be at least 0 and below 1; 0.05 to "
                     "0.2 is usual, smaller snaps harder."
                 )
-            low = half_opening(theta)
+            low = half_opening(theta) if leaning is None else leaning.least.max(1)
             return low + self.share * (1 - low)
         if self.name == "Fixed":
             return self.ratio
@@ -44,7 +47,7 @@ class RatioRule:
         if self.name == "Paper":
             return 0.5
         if self.name == "TargetSnap":
-            return self.target.ratios(theta)
+            return self.target.ratios(theta, leaning)
         raise ValueError(f"RatioRule {self.name!r} is unknown: choose one of {', '.join(RULES)}.")
 
     def for_sphere(self):

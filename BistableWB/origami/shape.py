@@ -12,7 +12,7 @@ import numpy as np
 from .bezier import normalised
 from .closed_forms import plane_unit
 from .contacts import INPUT_SLACK, THINNEST
-from .creases import CREASES, INDEX, PANELS
+from .creases import CREASES, INDEX, PANELS, VERTICES
 from .errors import require
 
 
@@ -42,6 +42,7 @@ def _folds():
 
 
 _CORNERS, _FOLDS = _corners(), _folds()
+_APEX = [k for k, ends in enumerate(_FOLDS[:2].T) if {VERTICES[i][0] for i in ends} == {"P", "C"}]
 
 
 def _corner_sines(flat):
@@ -66,10 +67,20 @@ def _model_signs():
     return np.sign(_corner_sines(model.flat)), np.sign(_fold_sines(model.deployed))
 
 
+def apex_folds(deployed):
+    """Sines of the folds P-C', upper and lower, above 0 where they turn as on a plane: (n, 2)."""
+    return _turned(deployed)[:, _APEX]
+
+
+def _turned(deployed):
+    """Sines of all fold angles, above 0 where they turn as those of a plane unit: (n, folds)."""
+    folds = _fold_sines(deployed) * _model_signs()[1]
+    return folds * np.sign(folds[:, -1:])
+
+
 def check_shape(deployed, flat):
     """ValueError where a panel is degenerate or flipped, or C' or a fold has changed its side."""
-    corner_signs, fold_signs = _model_signs()
-    sines = _corner_sines(flat) * corner_signs
+    sines = _corner_sines(flat) * _model_signs()[0]
     strip = sines[:, -4:].min(1)
     require(
         strip > THINNEST,
@@ -82,8 +93,7 @@ def check_shape(deployed, flat):
         "EdgeLength shorter, move Ruling nearer to square with the curve, or change Ratio.",
         sines.min(1),
     )
-    folds = _fold_sines(deployed) * fold_signs
-    folds *= np.sign(folds[:, -1:])
+    folds = _turned(deployed)
     require(
         folds.min(1) > -INPUT_SLACK,
         "A fold{at} would turn inside out (sine {value:.2g}): make EdgeLength shorter, move Ruling "

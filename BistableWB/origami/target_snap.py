@@ -44,9 +44,9 @@ class TargetMargin:
     """A wanted snap margin: needed play / play of a hinge.
 
     ``edge_length`` ‖AB‖, ``pitch`` (face thickness + gap between planes) and ``play`` in mm;
-    ``strain_limit``: peak strain that the material bears. Margins hold for compensated units
-    between parallel contacts; between oblique ones (curves of kind General) needed play agrees to
-    about 5 %, and strain is up to a fifth more. `choose` is within 5 % of `snap.assess`.
+    ``strain_limit``: peak strain that the material bears. Margins hold for compensated units and
+    are within 5 % of `snap.assess`; between leaning contacts (curves of kind General) within 15 %,
+    where they lean by more than 40° within 25 %.
     """
 
     edge_length: float
@@ -55,17 +55,20 @@ class TargetMargin:
     play: float = 0.28
     strain_limit: float = PLA_STRAIN
 
-    def ratios(self, theta):
-        """Ratios for θ (radians, scalar or (n,))."""
-        return self.choose(theta).ratio.reshape(np.shape(theta))[()]
+    def ratios(self, theta, leaning=None):
+        """Ratios for θ (radians, scalar or (n,)); arguments as for `choose`."""
+        return self.choose(theta, leaning).ratio.reshape(np.shape(theta))[()]
 
-    def choose(self, theta):
-        """The `Choice` for θ (radians, scalar or (n,)). ValueError for bad numbers."""
+    def choose(self, theta, leaning=None):
+        """The `Choice` for θ (radians, scalar or (n,)) and the units' `leaning.Leaning`.
+
+        ValueError for bad numbers.
+        """
         self._check()
         theta = np.atleast_1d(np.asarray(theta, float))
-        half_opening(theta)
+        low = half_opening(theta) if leaning is None else leaning.least.max(1)
         needed, limit = self.margin * self.play / self.edge_length, _RESERVE * self.strain_limit
-        shares, plays, strains, lowest = profile(theta, self.pitch / self.edge_length)
+        shares, plays, strains, lowest = self._profile(theta, leaning)
         self._check_made(theta, lowest)
         soft = first_below(np.log(plays), np.log(needed))
         strained = first_below(np.log(strains), np.log(limit))
@@ -75,10 +78,50 @@ class TargetMargin:
         margin = play * self.edge_length / self.play
         reached = margin >= _SHORT * self.margin
         by_strain = ~reached & (strained >= place - 1e-9) & (strained > 0)
-        low = np.sin(theta / 2)
         found = Choice(share, low + share * (1 - low), margin, strain, reached)
         found.warnings.extend(self._warnings(found, by_strain))
         return found
+
+    def expected(self, theta, ratio, leaning=None):
+        """Snap margins (n,) to expect of units of given ratios; other arguments as for `choose`."""
+        theta, ratio = np.broadcast_arrays(np.atleast_1d(theta), np.asarray(ratio, float))
+        low = half_opening(theta) if leaning is None else leaning.least.max(1)
+        share = np.maximum((ratio - low) / (1 - low), SMALLEST_SHARE)
+        plays = self._profile(theta, leaning)[1]
+        place = np.interp(np.log(share), GRID, np.arange(len(GRID)))
+        # Beyond the table the needed play falls with the inverse of the share.
+        beyond = np.minimum(LARGEST_SHARE / share, 1)
+        return read(plays, place) * beyond * self.edge_length / self.play
+
+    def floppy(self, theta, ratio, leaning=None, free=True):
+        """Sentences (at most one) that name the units which are expected to be floppy.
+
+        ``free``: their ratio can be chosen. Other arguments as for `expected`.
+        """
+        margin = self.expected(theta, ratio, leaning)
+        units = margin < 1
+        if not units.any():
+            return []
+        verb = "are" if units.sum() > 1 else "is"
+        ratios = "choose RatioRule TargetSnap or a smaller ratio, or " if free else ""
+        return [
+            f"{named(units)} {verb} floppy: hinges with a play of {self.play:.2g} mm swallow the "
+            f"snap (snap margin about {margin[units].min():.2g}, below 1); {ratios}make EdgeLength "
+            "or Gamma larger."
+        ]
+
+    def _profile(self, theta, leaning):
+        """`snap_table.profile`; of leaning units the mean of both sub-units at their own shares."""
+        shares, plays, strains, lowest = profile(theta, self.pitch / self.edge_length)
+        if leaning is None:
+            return shares, plays, strains, lowest
+        least, most = leaning.least.min(1)[:, None], leaning.least.max(1)[:, None]
+        own = np.log((most + shares * (1 - most) - least) / (1 - least))
+        plays, strains = (
+            np.sqrt(rows * [np.interp(x, GRID, row) for row, x in zip(rows, own, strict=True)])
+            for rows in (plays, strains)
+        )
+        return shares, plays * leaning.size[:, None], strains, lowest
 
     def _check(self):
         for name, value, cure in (
@@ -115,7 +158,7 @@ class TargetMargin:
                 longer = self.edge_length * self.margin / worst
                 less = self.play * worst / self.margin
                 yield (
-                    f"{_named(units)} cannot reach the snap margin: {worst:.2f} {wanted}{floppy}; "
+                    f"{named(units)} cannot reach the snap margin: {worst:.2f} {wanted}{floppy}; "
                     f"{why}. Make EdgeLength about {longer:.3g} mm, Gamma larger (wider units snap "
                     f"harder), or the play of the hinges {less:.2g} mm (steeper cones, smaller "
                     "GapLength)."
@@ -128,12 +171,15 @@ class TargetBarrier:
 
     barrier: float
 
-    def ratios(self, theta):
-        """Ratios for θ (radians, scalar or (n,))."""
-        return self.choose(theta).ratio.reshape(np.shape(theta))[()]
+    def ratios(self, theta, leaning=None):
+        """Ratios for θ (radians, scalar or (n,)); arguments as for `choose`."""
+        return self.choose(theta, leaning).ratio.reshape(np.shape(theta))[()]
 
-    def choose(self, theta):
-        """The `Choice` for θ (radians, scalar or (n,)). ValueError for a bad number."""
+    def choose(self, theta, leaning=None):
+        """The `Choice` for θ (radians, scalar or (n,)) and the units' `leaning.Leaning`.
+
+        ValueError for a bad number.
+        """
         if not (np.isfinite(self.barrier) and self.barrier > 0):
             raise ValueError(
                 f"TargetBarrier is {self.barrier:.6g}: set it above 0, in EA·‖AB‖; 1e-6 is weak, "
@@ -142,12 +188,17 @@ class TargetBarrier:
         theta = np.atleast_1d(np.asarray(theta, float))
         half_opening(theta)
         share = self._shares(theta)
+        if leaning is not None:
+            low = np.sin(theta / 2)
+            least = leaning.least.max(1)
+            least += SMALLEST_SHARE * (1 - least)
+            share = np.where(least > low, np.maximum(share, (least - low) / (1 - low)), share)
         ratio, achieved, strain = _barriers(theta, share)
         reached = achieved >= _SHORT * self.barrier
         found = Choice(share, ratio, achieved, strain, reached)
         if not reached.all():
             found.warnings.append(
-                f"{_named(~reached)} cannot reach the energy barrier: "
+                f"{named(~reached)} cannot reach the energy barrier: "
                 f"{achieved[~reached].min():.2g} instead of {self.barrier:.2g} EA·‖AB‖; make Gamma "
                 "larger: wider units snap harder."
             )
@@ -184,8 +235,8 @@ def _log_barriers(theta, log_share):
     return np.log(_barriers(theta, np.exp(log_share))[1])
 
 
-def _named(units):
-    """The units of a mask, counted from 1, as the subject of a sentence."""
+def named(units):
+    """The units of a mask (n,) bool, counted from 1, as the subject of a sentence."""
     numbers = (np.flatnonzero(units) + 1).tolist()
     if len(units) == 1:
         return "The unit"

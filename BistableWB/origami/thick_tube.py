@@ -2,22 +2,24 @@
 """A whole tube of thick panels: placed so that the *compensated* units follow the curve.
 
 The rule of ``hinges.md`` 5 leaves room for thickness; compensation then shifts hinge axes by some
-tenths of a millimetre, which changes how a unit's two blocks stand to each other. That change is
-measured on the compensated units and given back to placement and units until all agree.
+tenths of a millimetre, which changes how a unit's two blocks stand to each other. Their distance
+and their angle are measured on the compensated units and given back to placement and units until
+both agree; for what is left the blocks are shifted in their planes (`blocks.laid`).
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from . import print_stack, rigid
-from .creases import BODIES, INDEX
+from . import blocks, print_stack, rigid
+from .creases import BODIES
 from .linkage import ThickUnit
 from .placement import Placement
 from .tube import Tube, Tuning
 
 _ROUNDS = 6
-_AGREED = 1e-7  # of ‖AB‖, or radians
+_ANGLE_AGREED = 1e-7  # an error that a long tube adds up
+_LENGTH_AGREED = 1e-5  # of ‖AB‖: what is left, shifts take up
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ class ThickTube:
 
     def onto_curve(self):
         """Motion (4, 4) that lays the deployed blocks' mid-lines best on the placement."""
-        lines = block_lines(self.thick, self.tube.incoming_left, self._end)
+        lines = block_lines(self.thick, self.tube.incoming_left)
         return rigid.fit(lines.reshape(-1, 3), self.placement.segments.reshape(-1, 3))
 
     def part(self, first, last):
@@ -52,26 +54,16 @@ class ThickTube:
         if (first, last) == (0, len(self.tube) - 1):
             return self
         units = slice(first, last + 1)
-        tube = Tube(self.tube.unit[units], self.tube.frames[units], self.tube.incoming_left[units])
         placed = self.placement and self.placement.between(first, last)
-        return ThickTube(tube, self.thick[units], placed)
+        return ThickTube(self.tube[units], self.thick[units], placed)
 
     def deviation(self):
         """Largest distance (mm) of a deployed block's mid-line from its place on the curve."""
         if self.placement is None:
             return 0.0
-        lines = block_lines(self.thick, self.tube.incoming_left, self._end)
+        lines = block_lines(self.thick, self.tube.incoming_left)
         on_curve = rigid.apply(self.onto_curve(), lines).mean(1)
         return float(np.linalg.norm(on_curve - self.placement.midpoints, axis=1).max())
-
-    @property
-    def _end(self):
-        return _traced(self.tube)
-
-
-def _traced(tube):
-    """The line of the strip that follows the curve: the middle, on a sphere the outer base."""
-    return "middle" if tube.unit.omega is None else "upper"
 
 
 def thick_tube(place, make_tube, face_thickness, gap_between_planes, compensate=True):
@@ -90,79 +82,44 @@ def thick_tube(place, make_tube, face_thickness, gap_between_planes, compensate=
         tube = make_tube(placed, tuning)
         thick = ThickUnit(tube.unit, face_thickness, gap_between_planes)
         if not compensate:
-            break
+            return ThickTube(tube, thick, placed)
         thick = thick.compensated()
-        tuning, missing = _tuned(tuning, placed, thick, _traced(tube))
-        if missing < _AGREED:
+        goals = blocks.wanted_steps(placed)
+        tuning, agreed = _tuned(tuning, placed, blocks.steps(thick, tube.incoming_left), goals)
+        if agreed:
             break
-    return ThickTube(tube, thick, placed)
+    return ThickTube(tube, blocks.laid(thick, tube.incoming_left, goals), placed)
 
 
-def _tuned(tuning, placed, thick, end):
-    """Next `Tuning`, and how far the units are from the placement (in ‖AB‖ and radians)."""
-    here, there = _steps(thick, end), _wanted(placed)
-    missing = here - there
-    missing[:, 0] /= placed.edge_length
+def _tuned(tuning, placed, here, goals):
+    """Next `Tuning` for steps ``here`` instead of the goals, and whether it is as good as this."""
     count = len(placed)
-    fitted = [tuning.fitted(v, count) for v in (tuning.extra, tuning.sines, tuning.cotangents)]
-    half = placed.thetas / 2
-    rule = placed.pitch * (1 + np.cos(half)) + placed.edge_length / 2 * np.sin(half)
-    tuned = Tuning(here[:, 0] - rule, fitted[1] - missing[:, 1], fitted[2] - missing[:, 2])
-    return tuned, np.abs(missing).max()
+    distance, climb = blocks.distances(goals)
+    further = (blocks.distances(here)[0] - distance) / (2 * climb)
+    wider = np.sin(blocks.angles(goals) / 2) - np.sin(blocks.angles(here) / 2)
+    tuned = Tuning(
+        tuning.fitted(tuning.extra, count) + further, tuning.fitted(tuning.sines, count) + wider
+    )
+    agreed = (
+        np.abs(wider).max() < _ANGLE_AGREED
+        and np.abs(further).max() < _LENGTH_AGREED * placed.edge_length
+    )
+    return tuned, agreed
 
 
-def _steps(thick, end):
-    """How each unit leads from one block to the next when deployed: (n, 3).
-
-    Half the distance of the blocks' midpoints (mm), and the direction from one to the other seen
-    from the first block: its part along A-B, and the slope −(part along the legs) / (part along
-    A-B) of the line in which the unit's mid-plane cuts the block.
-    """
-    lines = thick.block_lines(1.0, end).reshape(-1, 2, 2, 3)
-    middles = lines.mean(2)
-    step = middles[:, 1] - middles[:, 0]
-    distance = np.linalg.norm(step, axis=1)
-    along = (lines[:, 0, 1] - lines[:, 0, 0]) / thick.unit.edge_length
-    up = np.cross(along, [0, 1.0, 0])  # the left block keeps its flat plane y = const
-    up *= np.sign(up[:, 2:])
-    sine, rise = (step * along).sum(1) / distance, (step * up).sum(1) / distance
-    return np.stack([distance / 2, sine, -rise / sine], 1)
-
-
-def _wanted(placed):
-    """The same as `_steps` asks of a placement."""
-    step = np.diff(placed.midpoints, axis=0)
-    distance = np.linalg.norm(step, axis=1)
-    rise = (step * placed.legs[:-1]).sum(1) / distance
-    sine = np.sin(placed.thetas / 2)
-    return np.stack([distance / 2, sine, -rise / sine], 1)
-
-
-def block_lines(thick, incoming_left, end="middle"):
+def block_lines(thick, incoming_left):
     """Mid-lines (n + 1, 2, 3) of all blocks of the deployed tube, chained from the first.
 
     Block k's line runs from the joint with the unit before to the joint with the next, in the
     print frame carried by `print_stack.motions`; the ends lie in the blocks' mid-planes.
     """
-    flat = thick.unit.flat.reshape(-1, *thick.unit.flat.shape[-2:])
+    flat = thick.lines.reshape(-1, 2, 2, 3)
     carried = print_stack.motions(thick, 1.0, incoming_left)
     carried = carried @ print_stack.frames(thick, incoming_left)[:, None]
     lines = []
     for k, left in enumerate(incoming_left):
         entry, leave = print_stack.contact_names(left)
-        a, b = _line(flat[k], entry, thick.pitch, end)
-        lines.append(rigid.apply(carried[k, BODIES.index(entry)], np.stack([a, b])))
-    a, b = _line(flat[-1], leave, thick.pitch, end)
-    lines.append(rigid.apply(carried[-1, BODIES.index(leave)], np.stack([b, a])))
+        lines.append(rigid.apply(carried[k, BODIES.index(entry)], flat[k, 0 if left else 1]))
+    last = flat[-1, 1 if left else 0, ::-1]
+    lines.append(rigid.apply(carried[-1, BODIES.index(leave)], last))
     return np.array(lines)
-
-
-def _line(flat, contact, pitch, end):
-    """A and B of a contact panel's line in the mid-plane of its block (unit's flat frame)."""
-    side = contact.split("_")[1]
-    ends = ("upper", "lower") if end == "middle" else (end,)
-    lift = np.array([0, (-2 if side == "left" else 2) * pitch, 0])
-    return (
-        np.mean([flat[INDEX[f"{corner}_{e}"]] for e in ends], 0) + lift
-        for corner in (f"A_{side}", "B")
-    )

@@ -16,7 +16,8 @@ from .bezier import normalised
 from .contacts import contact_pairs
 from .creases import INDEX, PANELS
 from .deployment import contact_frame, opening_state
-from .general import general_unit, openings
+from .general import general_unit
+from .leaning import Leaning, leaning
 
 FAMILIES = ("Plane", "Sphere", "General")
 
@@ -26,15 +27,22 @@ class Tube:
     """Units (a batch `Unit`) and where they stand when deployed.
 
     ``frames`` (n, 4, 4): unit's own deployed frame → space; ``incoming_left`` (n,) bool: the
-    unit's own left contact panel is the one shared with the previous unit.
+    unit's own left contact panel is the one shared with the previous unit; ``leaning``: of units
+    between contacts that may lean, None where all stand upright.
     """
 
     unit: units.Unit
     frames: np.ndarray
     incoming_left: np.ndarray
+    leaning: Leaning | None = None
 
     def __len__(self):
         return len(self.frames)
+
+    def __getitem__(self, units):
+        """The tube of a slice of its units."""
+        leans = self.leaning and self.leaning[units]
+        return Tube(self.unit[units], self.frames[units], self.incoming_left[units], leans)
 
     def deployed(self):
         """Vertices (n, 10, 3) of all units in the deployed tube, exact."""
@@ -87,13 +95,12 @@ def make_unit(family, theta, edge_length, height_ratio, rule, omega=None):
 class Tuning:
     """Small changes of the units that thick panels ask for: see `thick_tube`.
 
-    ``extra`` (mm) is for `placement.place`; ``sines`` is added to sin(θ/2), ``cotangents`` to
-    cot ω of every unit: (n,), the last value counts for all further units.
+    ``extra`` (mm) is for `placement.place`; ``sines`` is added to sin(θ/2) of every unit: (n,), the
+    last value counts for all further units.
     """
 
     extra: np.ndarray = field(default_factory=lambda: np.zeros(1))
     sines: np.ndarray = field(default_factory=lambda: np.zeros(1))
-    cotangents: np.ndarray = field(default_factory=lambda: np.zeros(1))
 
     def fitted(self, values, count):
         """The first ``count`` values, the last one repeated."""
@@ -105,26 +112,27 @@ def along(placement, family, height_ratio, rule, sphere_radius=None, tuning=None
 
     ``tuning``: a `Tuning` for thick panels.
     """
-    if family == "General":
-        return _along_any_curve(placement, height_ratio, rule)
     tuning = tuning or Tuning()
-    thetas, omega, count = placement.thetas, None, len(placement)
-    if tuning.sines.any():
-        thetas = 2 * np.arcsin(np.sin(thetas / 2) + tuning.fitted(tuning.sines, count))
+    sines = tuning.fitted(tuning.sines, len(placement))
+    if family == "General":
+        return _along_any_curve(placement, height_ratio, rule, sines)
+    thetas, omega = placement.thetas, None
+    if sines.any():
+        thetas = 2 * np.arcsin(np.sin(thetas / 2) + sines)
     if family == "Sphere":
         _check_on_sphere(placement, sphere_radius)
-        cotangents = _leg_slopes(placement, sphere_radius)
-        omega = np.arctan2(1, cotangents + tuning.fitted(tuning.cotangents, count))
+        omega = np.arctan2(1, _leg_slopes(placement, sphere_radius))
     unit = make_unit(family, thetas, placement.edge_length, height_ratio, rule, omega)
     return Tube(unit, _frames(placement, unit), placement.sides < 0)
 
 
-def _along_any_curve(placement, height_ratio, rule):
+def _along_any_curve(placement, height_ratio, rule, sines):
     """Units between the contact panels of a placement with any legs: section 4."""
-    contacts = contact_pairs(placement, _strip_height(placement.edge_length, height_ratio))
-    unit = general_unit(*contacts, rule.ratios(openings(*contacts)))
+    contacts = contact_pairs(placement, _strip_height(placement.edge_length, height_ratio), sines)
+    theta, leans = leaning(*contacts)
+    unit = general_unit(*contacts, rule.ratios(theta, leans))
     frames = np.broadcast_to(np.eye(4), (len(placement), 4, 4)).copy()
-    return Tube(unit, frames, placement.sides < 0)
+    return Tube(unit, frames, placement.sides < 0, leans)
 
 
 def _strip_height(edge_length, height_ratio):

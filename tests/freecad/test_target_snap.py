@@ -118,6 +118,6 @@ def test_auto_fit_and_apply(doc, valid, monkeypatch):
     assert unit.Warnings == []
 
 
-def test_auto_fit_wants_triangles(doc):
+def test_auto_fit_wants_triangles_or_a_curve(doc):
     with pytest.raises(ValueError, match="choose the TrianglePlacement"):
-        fitting.auto_fit(make.make_curve(doc))
+        fitting.auto_fit(make.make_bistable_unit(doc))

@@ -98,7 +98,7 @@ def test_sphere_contacts_close_with_any_ratio():
 def test_both_contacts_oblique_alike_need_no_iteration():
     quads = oblique_contacts(np.radians(40), np.radians(25), np.radians(25), 0.4)
     normalised, _, _ = general.normalised_contacts(*quads)
-    _, deployed, flat = general._symmetric_start(normalised, np.array([0.6]))
+    _, deployed, flat = general.symmetric_start(normalised, np.array([0.6]))
     residual, _ = general._equations(deployed, flat)
     assert np.abs(residual).max() < 1e-13
 
@@ -117,8 +117,8 @@ def test_mirrored_contacts_give_the_mirrored_unit():
 def test_jacobian_is_the_derivative_on_the_solutions():
     quads = oblique_contacts(np.radians(40), np.radians(-10), np.radians(20), 0.4)
     normalised, _, _ = general.normalised_contacts(*quads)
-    _, deployed, flat = general._symmetric_start(normalised, np.array([0.6]))
-    general._solve(deployed, flat)
+    _, deployed, flat = general.symmetric_start(normalised, np.array([0.6]))
+    general.solve(deployed, flat)
     _, jacobian = general._equations(deployed, flat)
     for column in range(32):
         moved = []

@@ -133,9 +133,43 @@ def test_thick_contacts_meet_in_the_middle_of_the_double_hinge():
     left, right = contact_pairs(placed, 16.0)
     unit = general_unit(left, right, 0.6)
     assert_proper(unit, left, right)
-    placed = place(RISING, 40.0, np.radians(20), pitch=1.4, legs=("point", (120.0, 40.0, -300.0)))
-    with pytest.raises(ValueError, match="share no leg"):
-        contact_pairs(placed, 16.0)
+
+
+def test_thick_contacts_of_a_viewpoint_curve_lie_in_the_planes_of_their_blocks():
+    viewpoint = np.array([120.0, 40.0, -300.0])
+    placed = place(RISING, 40.0, np.radians(20), pitch=1.4, legs=("point", viewpoint))
+    left, right = contact_pairs(placed, 16.0)
+    assert_proper(general_unit(left, right, 0.6), left, right)
+    np.testing.assert_allclose(left[:, 1:3], right[:, 1:3], atol=1e-9)
+    normals = np.cross(placed.reaches, placed.legs)
+    for k, (one, other) in enumerate(zip(left, right, strict=True)):
+        pair = (one, other) if placed.sides[k] < 0 else (other, one)
+        for quad, normal in zip(pair, normals[k : k + 2], strict=True):
+            np.testing.assert_allclose((quad[1:] - quad[0]) @ normal, 0, atol=1e-8)
+    edges = np.linalg.norm(left[:, 0] - left[:, 1], axis=1)
+    np.testing.assert_allclose(edges, 40.0, atol=1e-9)
+
+
+@pytest.mark.parametrize("legs", [None, ("point", (120.0, 40.0, -300.0))])
+def test_contacts_open_wider_by_what_is_asked(legs):
+    placed = place(RISING, 40.0, np.radians(20), pitch=1.4, legs=legs)
+
+    def half(sines):
+        normals = [
+            np.cross(q[:, 0] - q[:, 1], q[:, 2] - q[:, 1])
+            for q in contact_pairs(placed, 16.0, sines)
+        ]
+        u, v = (n / np.linalg.norm(n, axis=1)[:, None] for n in normals)
+        return np.arccos((u * v).sum(1)) / 2
+
+    more = np.linspace(-0.02, 0.02, len(placed))
+    np.testing.assert_allclose(np.sin(half(more)) - np.sin(half(None)), more, atol=1e-9)
+
+
+def test_units_that_tilt_too_much_are_not_blamed_on_the_bend():
+    steep = Bezier([[0, 0, 0], [60, 120, 20], [180, 120, 60], [240, 0, 80]])
+    with pytest.raises(ValueError, match=r"near \(.*tilt too much; make .* move Ruling"):
+        place(steep, 40.0, np.radians(20), legs=("point", (120.0, 60.0, 10.0)))
 
 
 def test_a_strip_that_reaches_the_viewpoint_is_refused():

@@ -222,7 +222,8 @@ def test_blocks_stand_where_the_placement_rule_says(typical):
     rule = 1.8 * (1 + np.cos(t)) + 30 * np.sin(t)
     assert half == pytest.approx(rule, abs=2 * np.abs(typical.shifts).max())
     assert lines[0, 0] == pytest.approx([0, -3.6, 0])
-    assert typical.block_lines(end="upper")[0, 1] == pytest.approx([60, -3.6, 10])
+    tapered = ThickUnit(sphere_unit(np.radians(45), 60, np.radians(80), 20), *THIN)
+    assert tapered.block_lines()[0, 1] == pytest.approx([60, -3.6, 10])
 
 
 def test_refusals():

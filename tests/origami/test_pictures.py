@@ -12,7 +12,7 @@ from BistableWB.origami.ratios import RatioRule
 
 pytest.importorskip("matplotlib")
 from BistableWB import pictures
-from BistableWB.pictures import hinge, page, prints, rendering, shading, stage, states
+from BistableWB.pictures import film, hinge, page, prints, rendering, shading, stage, states
 from BistableWB.pictures.raster import rasterise
 from BistableWB.solids.mesh import Mesh, PlacedMesh
 
@@ -205,6 +205,41 @@ def test_prints_are_drawn_without_clipping(tmp_path, monkeypatch):
         assert border.min() > 0.95, f"{path.name} is clipped"
         assert image.min() < 0.3
     assert imread(close)[..., :3].min() < 0.3
+
+
+def test_a_film_goes_from_flat_to_deployed_and_back_for_ever(tmp_path, monkeypatch):
+    from PIL import Image
+
+    monkeypatch.setattr(film, "_FRAMES", 5)
+    monkeypatch.setattr(film, "_WIDTH", 200)
+    bodies = [
+        placed("unit01_primary_left_upper", cube(), ((0, "primary_left_upper"),)),
+        placed("unit01_link_B", cube(8, (0, 0, 12)), ((0, "link_B"),)),
+    ]
+
+    def motions(opening):
+        aside = np.eye(4)
+        aside[0, 3] = 40 * opening
+        return [np.eye(4), aside]
+
+    path = film.deployment(tmp_path / "a.gif", bodies, motions)
+    with Image.open(path) as shown:
+        frames, times = [], []
+        for number in range(shown.n_frames):
+            shown.seek(number)
+            frames.append(np.asarray(shown.convert("RGB"), int))
+            times.append(shown.info["duration"])
+        assert shown.info["loop"] == 0
+        assert shown.width == pytest.approx(200, abs=2)
+    assert len(frames) == 8
+    assert times == [film._HELD, *3 * [film._PAUSE], film._HELD, *3 * [film._PAUSE]]
+    for there, back in zip(frames[1:4], frames[:4:-1], strict=True):
+        assert np.abs(there - back).max() < 8
+    wide = [np.ptp(np.flatnonzero((frame.min(2) < 150).any(0))) for frame in frames[:5]]
+    assert all(np.diff(wide) > 0)  # it opens
+    for frame in frames:
+        border = np.concatenate([frame[0], frame[-1], frame[:, 0], frame[:, -1]])
+        assert border.min() > 200, "clipped"  # shadows may reach the border
 
 
 def test_colours_of_panels_differ_in_lightness_too():

@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
-from BistableWB.origami import print_stack, rigid
+from BistableWB.origami import blocks, print_stack, rigid
 from BistableWB.origami import tube as tubes
 from BistableWB.origami.bezier import Bezier
 from BistableWB.origami.creases import BODIES
+from BistableWB.origami.linkage import ThickUnit
 from BistableWB.origami.placement import place
 from BistableWB.origami.ratios import RatioRule
 from BistableWB.origami.thick_tube import thick_tube
@@ -22,83 +23,117 @@ class OnSphere:
         return 220 * p / np.linalg.norm(p, axis=-1, keepdims=True)
 
 
-def plane(compensate=True):
-    return thick_tube(
-        lambda tuning: place(Bezier(ARCH), 60, np.radians(20), PITCH, extra=tuning.extra),
-        lambda placed, tuning: tubes.along(
-            placed, "Plane", 2.5, RatioRule(share=0.06), tuning=tuning
-        ),
-        1.2,
-        0.6,
-        compensate,
-    )
+def made(curve, family, rule=None, legs=None, radius=None, compensate=True, edge=60):
+    def placed(tuning):
+        return place(curve, edge, np.radians(20), PITCH, legs, extra=tuning.extra)
+
+    def tube(placement, tuning):
+        return tubes.along(placement, family, 2.5, rule or RatioRule(), radius, tuning)
+
+    return thick_tube(placed, tube, 1.2, 0.6, compensate)
 
 
-def sphere():
-    legs = ("point", (0, 0, 0))
-    return thick_tube(
-        lambda tuning: place(OnSphere(), 60, np.radians(20), PITCH, legs, extra=tuning.extra),
-        lambda placed, tuning: tubes.along(placed, "Sphere", 2.5, RatioRule("Exact"), 220, tuning),
-        1.2,
-        0.6,
-    )
+V = ("point", (0, 0, 0))
+SEEN = Bezier([(-240, -60, 390), (-90, 180, 480), (120, -180, 465), (270, 90, 375)])
+RISING = Bezier(1.5 * ARCH + np.outer([0, 1, 2, 3], [0, 0, 40]))
+MAKERS = {
+    "plane": lambda: made(Bezier(ARCH), "Plane"),
+    "sphere": lambda: made(OnSphere(), "Sphere", RatioRule("Exact"), V, 220),
+    "rising": lambda: made(RISING, "General"),
+    "viewpoint": lambda: made(SEEN, "General", legs=V),
+}
+_tubes = {}
 
 
-@pytest.fixture(scope="module")
-def plane_tube():
-    return plane()
+@pytest.fixture(params=MAKERS)
+def tube(request):
+    """Each of these tubes in turn, made once."""
+    name = request.param
+    if name not in _tubes:
+        _tubes[name] = MAKERS[name]()
+    return _tubes[name]
 
 
-def block_middles(tube, end):
-    """Midpoints of all contact blocks in the deployed tube, from motions of the flat print."""
-    lines = []
+def blocks_when_deployed(tube):
+    """Mid-lines (2, 3) of all blocks by both their panels, from motions of the flat print."""
+    found = []
     places = print_stack.frames(tube.thick, tube.tube.incoming_left)
     moved = tube.motions(1.0)
     for k, left in enumerate(tube.tube.incoming_left):
-        names = print_stack.contact_names(left)
-        for name in names if k == len(places) - 1 else names[:1]:
-            side = name.split("_")[1]
-            rows = [f"{corner}_{e}" for corner in (f"A_{side}", "B") for e in end]
-            corners = tube.thick.unit.flat[k][[tubes.INDEX[r] for r in rows]]
-            lift = (-2 if side == "left" else 2) * PITCH
-            middle = corners.mean(0) + np.array([0, lift, 0])
+        for step, name in enumerate(print_stack.contact_names(left)):
+            line = tube.thick.lines[k][0 if name == "contact_left" else 1][:: 1 - 2 * step]
             motion = moved[k, BODIES.index(name)] @ places[k]
-            lines.append(rigid.apply(motion, middle[None])[0])
-    return np.array(lines)
+            found.append((k + step, rigid.apply(motion, line)))
+    return found
 
 
-def test_compensated_plane_tube_follows_its_curve(plane_tube):
-    middles = block_middles(plane_tube, ("upper", "lower"))
-    assert np.abs(middles - plane_tube.placement.midpoints).max() < 1e-3
-    assert plane_tube.thick.misfit(1.0).max() < 1e-6
-    assert plane_tube.deviation() < 1e-3
-
-
-def test_sphere_tube_follows_its_curve():
-    tube = sphere()
-    middles = block_middles(tube, ("upper",))
-    assert len(middles) > 10
-    assert np.linalg.norm(middles - tube.placement.midpoints, axis=1).max() < 0.5
+def test_every_block_stands_on_its_place_on_the_curve(tube):
+    for k, line in blocks_when_deployed(tube):
+        assert np.abs(line - tube.placement.segments[k]).max() < 1e-4
+    assert tube.deviation() < 1e-4
     assert tube.thick.misfit(1.0).max() < 1e-6
+    assert tube.tube.unit.isometry_error().max() <= 1e-12
+
+
+def test_blocks_are_spanned_by_their_line_and_the_legs(tube):
+    steps = blocks.steps(tube.thick, tube.tube.incoming_left)
+    assert steps == pytest.approx(blocks.wanted_steps(tube.placement), abs=1e-5)
+
+
+def test_blocks_lie_on_the_panels_of_both_their_units(tube):
+    """The mid-line of a block runs along A-B of its contact panels, up to the shifts of hinges."""
+    plain = ThickUnit(tube.tube.unit, 1.2, 0.6).lines
+    off = tube.thick.lines - plain
+    assert np.abs(off[..., 1]).max() == 0
+    assert np.abs(off).max() < PITCH
+
+
+def test_a_sphere_is_a_curve_seen_from_a_viewpoint():
+    """Its units, contacts set apart by thickness, to 1e-9; with feedback to 1e-5 mm."""
+    placed = place(OnSphere(), 60, np.radians(20), PITCH, V)
+    units = [
+        tubes.along(placed, family, 2.5, RatioRule("Exact"), 220).unit
+        for family in ("General", "Sphere")
+    ]
+    for name in ("flat", "theta", "ratio", "alpha", "beta", "omega"):
+        given, expected = (getattr(unit, name) for unit in units)
+        assert given == pytest.approx(expected, rel=1e-9, abs=1e-9), name
+    general, sphere = made(OnSphere(), "General", RatioRule("Exact"), V), MAKERS["sphere"]()
+    assert general.thick.axes == pytest.approx(sphere.thick.axes, abs=1e-5)
+    assert general.motions(1.0) == pytest.approx(sphere.motions(1.0), abs=1e-3)
+
+
+def test_a_viewpoint_too_near_for_the_thickness_is_refused():
+    near = Bezier(np.array([(-60, -15, 80), (-22, 45, 100), (30, -45, 96), (68, 22, 76)]))
+    placed = place(near, 30, np.radians(20), 4.0, V)
+    with pytest.raises(ValueError, match=r"Strip height h.*of unit \d+.*HeightRatio") as refused:
+        tubes.along(placed, "General", 0.7, RatioRule())
+    assert "\n" not in str(refused.value)
 
 
 def test_without_compensation_the_tube_strays_and_does_not_close():
-    tube = plane(compensate=False)
+    tube = made(Bezier(ARCH), "Plane", RatioRule(share=0.06), compensate=False)
     assert tube.thick.misfit(1.0).max() > 0.3
     assert tube.deviation() > 1.0
 
 
 @pytest.mark.parametrize("opening", [0.0, 0.3, 1.0])
-def test_both_panels_of_a_block_move_alike(plane_tube, opening):
-    moved = plane_tube.motions(opening)
-    incoming = plane_tube.tube.incoming_left
+def test_both_panels_of_a_block_move_alike(tube, opening):
+    moved = tube.motions(opening)
+    incoming = tube.tube.incoming_left
     for k in range(len(incoming) - 1):
         out = BODIES.index(print_stack.contact_names(incoming[k])[1])
         into = BODIES.index(print_stack.contact_names(incoming[k + 1])[0])
         assert moved[k, out] == pytest.approx(moved[k + 1, into], abs=1e-9)
 
 
-def test_flat_print_stays_where_it_lies(plane_tube):
-    assert plane_tube.motions(0.0) == pytest.approx(
-        np.broadcast_to(np.eye(4), (len(plane_tube.tube), 15, 4, 4)), abs=1e-9
+def test_flat_print_stays_where_it_lies(tube):
+    assert tube.motions(0.0) == pytest.approx(
+        np.broadcast_to(np.eye(4), (len(tube.tube), 15, 4, 4)), abs=1e-9
     )
+
+
+def test_a_part_of_a_tube_stands_where_it_stood_in_the_whole(tube):
+    part = tube.part(2, 4)
+    for k, line in blocks_when_deployed(part):
+        assert np.abs(line - tube.placement.segments[2 + k]).max() < 1e-4

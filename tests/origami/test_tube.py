@@ -7,7 +7,7 @@ from BistableWB.origami import tube as tubes
 from BistableWB.origami import unit as units
 from BistableWB.origami.bezier import Bezier
 from BistableWB.origami.creases import INDEX, PANELS
-from BistableWB.origami.deployment import misfit, opening_state
+from BistableWB.origami.deployment import misfit, opening_state, panel_strains
 from BistableWB.origami.placement import place
 from BistableWB.origami.ratios import RatioRule
 
@@ -158,3 +158,20 @@ def test_adaptive_ratios_are_in_range_for_every_theta():
     assert (ratio > np.sin(theta / 2)).all()
     assert (ratio < 1).all()
     assert RatioRule(share=0.0).ratios(theta) == pytest.approx(np.sin(theta / 2))
+
+
+def test_panel_strains_are_those_of_the_panels_corners():
+    unit = units.plane_unit(np.radians(50), 0.5, 60, 24)
+    points = opening_state(unit, 0.5)
+    found = panel_strains(unit, points)
+    for k, corners in enumerate(PANELS.values()):
+        rows = [INDEX[corner] for corner in corners]
+        now, before = (
+            np.linalg.norm(p[rows][:, None] - p[rows][None], axis=-1) for p in (points, unit.flat)
+        )
+        worst = np.abs(now / np.where(before, before, 1) - (before > 0)).max()
+        assert found[k] == pytest.approx(worst, abs=1e-12)
+    contact = [k for k, name in enumerate(PANELS) if "contact" in name]
+    assert found[contact].max() < 1e-12
+    assert found.max() > 1e-4
+    assert panel_strains(unit, opening_state(unit, 1)).max() < 1e-12
