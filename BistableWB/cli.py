@@ -133,8 +133,11 @@ def _make(design, options):
     """Make one design here and say what happens; returns its exit code."""
     from . import produce
 
-    def progress(text):
-        if not options.quiet:
+    told = []
+
+    def progress(text):  # long steps say the same again and again
+        if not options.quiet and told[-1:] != [text]:
+            told.append(text)
             print(f"{design.stem}: {text}", file=sys.stderr, flush=True)
 
     try:

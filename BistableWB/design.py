@@ -10,7 +10,16 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from .design_table import PRINT_FORMATS, RULE_OF, SINGLE_UNIT, TABLES, BadValue, example_of
+from .design_table import (
+    FORMATS_OF,
+    NET_FORMATS,
+    PRINT_FORMATS,
+    RULE_OF,
+    SINGLE_UNIT,
+    TABLES,
+    BadValue,
+    example_of,
+)
 
 MAX_BYTES = 1_000_000
 
@@ -41,7 +50,7 @@ class Design:
     def formats(self):
         """Suffixes without dots of the files for other programs."""
         has_print = "hinges" in self.tables or "coupon" in self.tables
-        return self.get("output", "formats", list(PRINT_FORMATS) if has_print else ["step", "obj"])
+        return self.get("output", "formats", ["stl", "3mf"] if has_print else ["step", "obj"])
 
     @property
     def makes_unit(self):
@@ -196,11 +205,22 @@ def _check_prints(tables, refuse):
     """Tables and formats of prints."""
     if "hinges" in tables and not ("curve" in tables or "unit" in tables):
         refuse("[hinges] needs a tube; add a table [curve] with points, or [unit] with theta")
-    if "hinges" in tables or "coupon" in tables:
-        return
-    for wanted in tables.get("output", {}).get("formats", ()):
-        if wanted in PRINT_FORMATS:
+    output = tables.get("output", {})
+    formats = output.get("formats", ())
+    for wanted in formats:
+        if wanted in PRINT_FORMATS and not ("hinges" in tables or "coupon" in tables):
             refuse(f"[output] formats has {wanted}, which is of a print; add a table [hinges]")
+        if wanted in NET_FORMATS and not ("curve" in tables or "unit" in tables):
+            refuse(f"[output] formats has {wanted}, which is of a tube; add a table [curve]")
+    for key, homes in FORMATS_OF.items():
+        if key in output and not set(homes) & set(formats):
+            refuse(f"[output] {key} is for {' and '.join(homes)}; add one to formats")
+    if output.get("slicer") and "hinges" not in tables:
+        refuse("[output] slicer is of a print that opens; add a table [hinges], or remove it")
+    if output.get("openscad") and not ("hinges" in tables or "coupon" in tables):
+        refuse("[output] openscad is of a print; add a table [hinges], or remove it")
+    if "print_states" in output and "hinges" not in tables:
+        refuse("[output] print_states is of a print that opens; add a table [hinges]")
 
 
 def _lower(error):

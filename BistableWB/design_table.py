@@ -164,6 +164,11 @@ _HINGE = {
     "nozzle_diameter": Key(length, "NozzleDiameter", "0.4", 0, 10),
 }
 
+PRINT_FORMATS = ("stl", "3mf", "scad")  # of a print or a coupon, not of zero-thickness faces
+NET_FORMATS = ("fold", "svg", "dxf")  # of the panels without thickness, in all states at once
+FORMATS = ("step", "obj", *PRINT_FORMATS, *NET_FORMATS)
+STATES = ("flat", "deployed")  # as in exporters.bodies
+
 TABLES = {
     "design": {
         "name": Key(text, "", '"Garden arch"'),
@@ -205,6 +210,9 @@ TABLES = {
         **_HINGE,
         "compensate": Key(flag, "Compensate", "true"),
         "orientation": Key(choice, "Orientation", '"Flat"', choices=("Flat", "OnEdge")),
+        "bed": Key(vector, "Bed", "[250, 210, 210]", 0, MAX_LENGTH),
+        "first_unit": Key(whole, "FirstUnit", "1", 1, 10_000),
+        "last_unit": Key(whole, "LastUnit", "0", 0, 10_000),
         "support": Key(flag, "Support", "false"),
         "deployment": Key(number, "Deployment", "0", 0, 1),
     },
@@ -217,10 +225,17 @@ TABLES = {
         "rotation_angle": Key(angle, "RotationAngle", "0", 0, 180),
     },
     "output": {
-        "formats": Key(choices, "", '["stl", "3mf"]', choices=("step", "obj", "stl", "3mf")),
-        "states": Key(choices, "", '["flat", "deployed"]', choices=("flat", "deployed")),
+        "formats": Key(choices, "", '["stl", "3mf"]', choices=FORMATS),
+        "states": Key(choices, "", '["flat", "deployed"]', choices=STATES),
+        "print_states": Key(choices, "", '["flat", "deployed"]', choices=STATES),
+        "sheet": Key(choice, "", '"A4"', choices=("A4", "A3", "A2", "A1", "A0")),
+        "tabs": Key(flag, "", "false"),
+        "tab_depth": Key(length, "", "6", 0.5, 100),
+        "deployment_frames": Key(whole, "", "20", 0, 1000),
         "pictures": Key(flag, "", "true"),
         "report": Key(flag, "", "true"),
+        "slicer": Key(flag, "", "false"),
+        "openscad": Key(flag, "", "false"),
     },
 }
 
@@ -234,7 +249,11 @@ RULE_OF = {
         ("target_margin", "hinge_play", "strain_limit", "target_barrier"), "TargetSnap"
     ),
 }
-PRINT_FORMATS = ("stl", "3mf")  # of a flat-folded print or a coupon, not of zero-thickness faces
+# Keys of [output] that only some formats use.
+FORMATS_OF = {
+    **dict.fromkeys(("sheet", "tabs", "tab_depth"), ("svg", "dxf")),
+    "deployment_frames": ("fold",),
+}
 
 
 def example_of(table, key):

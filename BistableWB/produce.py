@@ -2,7 +2,7 @@
 """A `Design` becomes a document, files, pictures and a report. Runs inside FreeCAD.
 
 To add a table that makes an object: its keys go into `design_table.TABLES`, a function into
-`_MAKERS` here; what it gives goes into `_exports` and `_pictures`. What is special about prints is
+`_MAKERS` here; what it gives goes into `outputs` and `_pictures`. What is special about prints is
 in `hinged`.
 """
 
@@ -16,21 +16,26 @@ from pathlib import Path
 import FreeCAD as App
 import Part
 
-from . import exporters, hinged, make, pictures, report
+from . import exporters, hinged, imports, make, openscad, pictures, report, slicing
 from .design import Design, DesignError
-from .design_table import PRINT_FORMATS, SINGLE_UNIT, TABLES, key_of_property
+from .design_table import SINGLE_UNIT, TABLES, key_of_property
 from .objects.bistable_unit import tube_of
 from .objects.hinge_inputs import hinge_parameters
 from .objects.triangle_placement import place_along
+from .outputs import wanted_files
+from .slicing.section import section
 
 MAX_UNITS = 2000  # more are a slip of the pen, and hours of FreeCAD
 _SHAPES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
-_STATES = {"flat": 0.0, "deployed": 1.0}
+_DRAWINGS = (".svg", ".dxf", ".csv")
 
 
 @dataclass
 class Result:
-    """What `produce` made: ``files`` (paths), ``problems`` (sentences; empty if all went well)."""
+    """What `produce` made: ``files`` (paths), ``problems`` (sentences; empty if all went well).
+
+    ``attached``: text files that a report carries with it, {name: content}.
+    """
 
     design: Design
     folder: Path
@@ -38,6 +43,7 @@ class Result:
     problems: list = field(default_factory=list)
     pictures: dict = field(default_factory=dict)  # caption -> path
     facts: report.Facts | None = None
+    attached: dict = field(default_factory=dict)
 
     def add(self, path):
         """Note a file that was made."""
@@ -59,22 +65,39 @@ def produce(design, folder, progress=lambda text: None):
         progress(_summary(objects))
         _exports(result, objects, progress)
         _save(result, doc, progress)
-        prints = _prints(objects)
-        result.facts = report.facts_of(objects, prints, progress)
+        tell(result, objects, progress)
         result.problems += [
             _with_keys(design, table, error)
             for table, facts in result.facts.prints.items()
             for error in facts.errors
         ]
-        if design.get("output", "pictures", True):
-            _try(result, "pictures", _pictures, result, objects, prints, progress)
     if design.get("output", "report", True):
         _try(result, "report", _report, result, progress)
     return result
 
 
+def tell(result, objects, progress=lambda text: None):
+    """Facts and pictures of recomputed ``objects`` {table: object} into a `Result`.
+
+    ``progress(text)`` may raise to cancel.
+    """
+    prints = _prints(objects)
+    result.facts = report.facts_of(objects, prints, progress)
+    if result.design.get("output", "openscad", False):
+        for table, made in prints.items():
+            progress(f"OpenSCAD reads the {table}")
+            found = openscad.check([body.placed for body in made.meshes])
+            result.facts.prints[table].findings.extend(found)
+    if result.design.get("output", "slicer", False):
+        _try(result, "slicer", _slice, result, objects["hinges"], progress)
+    if result.design.get("output", "pictures", True):
+        _try(result, "pictures", _pictures, result, objects, prints, progress)
+
+
 def pictures_of(design, folder, wanted):
     """Only some pictures of the prints of ``design``: ``wanted`` {name: file}; returns the paths.
+
+    "film" is one that is made only here: the HingeSet as it opens and folds.
 
     `DesignError` and `pictures.NoMatplotlib` where there can be none.
     """
@@ -87,6 +110,8 @@ def pictures_of(design, folder, wanted):
     with _quiet(), _document(design) as doc:
         for made in _prints(build(doc, design)).values():
             made.draw(draw)
+            if "film" in wanted:
+                draw("film", "", made.film)
     return paths
 
 
@@ -133,7 +158,9 @@ def _unit(doc, design, objects):
 def _hinges(doc, design, objects):
     if "hinges" not in design.tables:
         return None
-    return make.make_hinge_set(doc, objects["unit"], preset=design.get("hinges", "preset"))
+    made = make.make_hinge_set(doc, objects["unit"], preset=design.get("hinges", "preset"))
+    _set_properties(objects["unit"], "unit", design)  # what the file says goes before what suits
+    return made
 
 
 def _coupon(doc, design, objects):
@@ -190,14 +217,20 @@ def _source(doc, design):
         return None
     path = design.path.parent / name
     where = f"{design.path}: [curve] source {name}"
-    if path.suffix.lower() not in _SHAPES:
-        raise DesignError(f"{where} is no shape file; give one of {', '.join(_SHAPES)}.")
+    known = (*_SHAPES, *_DRAWINGS)
+    if path.suffix.lower() not in known:
+        raise DesignError(f"{where} is no shape file; give one of {', '.join(known)}.")
     if not path.is_file():
         raise DesignError(f"{where} is not there; give a path as seen from the design file.")
-    try:
-        shape = Part.read(str(path))
-    except (Part.OCCError, OSError, ValueError):
-        shape = Part.Shape()
+    shape = Part.Shape()
+    if path.suffix.lower() in _DRAWINGS:
+        try:
+            shape = imports.curve_wire(path)
+        except ValueError as error:
+            raise DesignError(f"{where}: {error}") from error
+    else:
+        with contextlib.suppress(Part.OCCError, OSError, ValueError):
+            shape = Part.read(str(path))
     if shape.isNull() or not shape.Edges:
         raise DesignError(f"{where} has no edge that can be read; export the curve again.")
     feature = doc.addObject("Part::Feature", "Source")
@@ -252,32 +285,10 @@ def _prints(objects):
 
 
 def _exports(result, objects, progress):
-    def export(obj, name):
-        path = result.folder / f"{result.design.stem}-{name}"
-        if _try(result, path.name, exporters.export, [obj], path):
+    for obj, name, options in wanted_files(result.design, objects):
+        path = result.folder / f"{result.design.stem}{name}"
+        if _try(result, path.name, exporters.export, [obj], path, **options):
             progress(result.add(path).name)
-
-    formats = result.design.formats
-    for table, name in (("hinges", "print"), ("coupon", "coupon")):
-        if table in objects:
-            for suffix in formats:
-                if suffix in PRINT_FORMATS or "unit" not in objects:
-                    export(objects[table], f"{name}.{suffix}")
-    faces = [suffix for suffix in formats if suffix not in PRINT_FORMATS]
-    if "unit" in objects and faces:
-        _export_faces(result.design, objects["unit"], faces, export)
-
-
-def _export_faces(design, unit, formats, export):
-    """Zero-thickness faces in the wanted states."""
-    shown = unit.Deployment
-    for state in design.get("output", "states", list(_STATES)):
-        unit.Deployment = _STATES[state]
-        unit.Document.recompute()
-        for suffix in formats:
-            export(unit, f"{state}.{suffix}")
-    unit.Deployment = shown
-    unit.Document.recompute()
 
 
 def _save(result, doc, progress):
@@ -322,16 +333,23 @@ def _draw_unit(objects, states, draw):
              pictures.angle_chart, tube.unit.theta, tube.unit.ratio, sides)  # fmt: skip
 
 
+def _slice(result, hinge_set, progress):
+    compared = slicing.compare(hinge_set, progress)
+    facts = result.facts.prints["hinges"]
+    facts.findings.extend(compared.findings)
+    facts.sections.append(section(compared))
+
+
 def _report(result, progress):
     path = result.folder / "report.html"
     report.write(path, [result])
     progress(result.add(path).name)
 
 
-def _try(result, what, function, *args):
+def _try(result, what, function, *args, **options):
     """Call ``function``; what goes wrong in a known way becomes a problem. True if it went well."""
     try:
-        function(*args)
+        function(*args, **options)
     except (ValueError, OSError, pictures.NoMatplotlib) as error:
         result.problems.append(f"{what}: {error}")
         return False

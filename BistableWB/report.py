@@ -15,7 +15,7 @@ import FreeCAD as App
 import numpy as np
 
 from . import __version__
-from .design_table import RULE_OF, TABLES
+from .design_text import unused
 
 _STYLE = """
 :root { --ink: #14283c; --muted: #5b6b7b; --line: #d9e0e6; --wash: #f5f8fa; --accent: #1f5f99; }
@@ -108,7 +108,7 @@ def facts_of(objects, prints, progress=lambda text: None):
     facts = {}
     for table, made in prints.items():
         progress(f"checks of the {'print' if table == 'hinges' else table}")
-        facts[table] = made.facts()
+        facts[table] = made.facts(progress)
     numbers, columns, rows = [], [], []
     if "unit" in objects:
         numbers, columns, rows = _unit_facts(objects)
@@ -148,28 +148,15 @@ def _parameters(objects):
     """Inputs of the objects that count, by the names that the document shows."""
     found = []
     for obj in objects.values():
-        unused = _unused(obj)
+        without = unused(obj)
         for name in obj.PropertiesList:
-            if obj.getGroupOfProperty(name) in ("", "Base", "Results") or name in unused:
+            if obj.getGroupOfProperty(name) in ("", "Base", "Results") or name in without:
                 continue
             if set(obj.getEditorMode(name)) & {"Hidden", "ReadOnly"}:
                 continue
             if not obj.getTypeIdOfProperty(name).startswith("App::PropertyLink"):
                 found.append((f"{obj.Label}.{name}", _as_text(getattr(obj, name))))
     return found
-
-
-def _unused(obj):
-    """Names of properties that have no effect as the object stands."""
-    unused = set()
-    kind = getattr(getattr(obj, "Curve", None) or obj, "Kind", "")
-    if kind != "Sphere":
-        unused |= {"SphereRadius", "SphereCenter"}
-    if kind != "General":
-        unused |= {"RulingKind", "Ruling", "Level"}
-    rule = getattr(obj, "RatioRule", "")
-    unused |= {TABLES["unit"][key].property for key, r in RULE_OF.items() if r != rule}
-    return unused
 
 
 def _as_text(value):
@@ -250,19 +237,31 @@ def _section(result, home, several):
     parts.append(
         '<div class="columns"><div><h3>Parameters</h3>'
         + _table(["property", "value"], facts.parameters)
-        + "</div><div><h3>Files</h3>"
-        + _files(result.files, home)
-        + "</div></div>"
+        + "</div>"
+        + (f"<div><h3>Files</h3>{_files(result.files, home)}</div>" if result.files else "")
+        + "</div>"
     )
     if facts.rows:
         parts.append("<h3>Units</h3>" + _table(facts.columns, facts.rows, "units"))
-    parts.append(
-        "<h3>Make it again</h3>"
-        f"<p>Save this as <code>{_e(design.path.name)}</code> and run "
-        f"<code>python3 -m BistableWB {_e(design.path.name)} --out DIR</code>.</p>"
-        f"<pre>{_e(design.text.strip())}</pre></section>"
-    )
+    if design.text:
+        parts.append(_recipe(design, result.attached))
+    parts.append("</section>")
     return "\n".join(parts)
+
+
+def _recipe(design, attached):
+    """How to make the same again: the design file, and what has to lie beside it."""
+    name = _e(design.path.name)
+    beside = "".join(
+        f' and <a download="{_e(file)}" href="data:text/plain;base64,'
+        f'{base64.b64encode(text.encode()).decode()}">{_e(file)}</a> beside it'
+        for file, text in attached.items()
+    )
+    return (
+        f"<h3>Make it again</h3><p>Save this as <code>{name}</code>{beside}, and run "
+        f"<code>python3 -m BistableWB {name} --out DIR</code>.</p>"
+        f"<pre>{_e(design.text.strip())}</pre>"
+    )
 
 
 def _print(facts, table):
@@ -272,7 +271,11 @@ def _print(facts, table):
     found = sorted(facts.findings, key=lambda finding: order[finding.severity])
     items = "".join(f'<li class="{f.severity}">{_e(f)}</li>' for f in found)
     listed = f'<ul class="findings">{items}</ul>' if found else ""
-    return f"<h3>{title}</h3>{_numbers(facts.numbers)}{listed}"
+    more = "".join(
+        f"<h3>{_e(part.title)}</h3><p>{_e(part.text)}</p>{_table(part.columns, part.rows)}"
+        for part in facts.sections
+    )
+    return f"<h3>{title}</h3>{_numbers(facts.numbers)}{listed}{more}"
 
 
 def _numbers(pairs):

@@ -9,9 +9,11 @@ from .base import QT_TRANSLATE_NOOP
 from .create import CurveCommand, CurveOnSphere, NewTube, TrianglePlacement, Units
 from .drawing import DrawCurve
 from .files import OpenExample, ShowHelp
+from .fit import AutoFit
 from .hinges import HingeCoupon, HingeSet
+from .importing import Import
 from .motion import Deploy
-from .output import Check, ExportPrint
+from .output import Check, ExportPrint, Report
 from .plots import Plots
 from .repair import Repair
 
@@ -20,22 +22,26 @@ COMMANDS = (
     DrawCurve(),
     CurveCommand(),
     CurveOnSphere(),
+    Import(),
     TrianglePlacement(),
     Units(),
+    AutoFit(),
     Deploy(),
     Plots(),
     HingeSet(),
     HingeCoupon(),
     ExportPrint(),
     Check(),
+    Report(),
     Repair(),
     OpenExample(),
     ShowHelp(),
 )
 
 _DESIGN = [NewTube.name, "Separator", DrawCurve.name, CurveCommand.name, CurveOnSphere.name,
-           TrianglePlacement.name, Units.name]  # fmt: skip
-_PRINT = [Deploy.name, Plots.name, HingeSet.name, HingeCoupon.name, Check.name, ExportPrint.name]
+           Import.name, TrianglePlacement.name, Units.name, AutoFit.name]  # fmt: skip
+_PRINT = [Deploy.name, Plots.name, HingeSet.name, HingeCoupon.name, Check.name, ExportPrint.name,
+          Report.name]  # fmt: skip
 _REST = [OpenExample.name, Repair.name, ShowHelp.name]
 
 TOOLBARS = {
@@ -54,11 +60,24 @@ MENUS = {
 
 # Type of the selected object -> commands that go on from it.
 CONTEXT = {
-    "Bistable::Curve": [TrianglePlacement.name, Units.name],
-    "Bistable::TrianglePlacement": [Units.name],
-    "Bistable::BistableUnit": [Deploy.name, Plots.name, HingeSet.name, ExportPrint.name],
-    "Bistable::HingeSet": [Deploy.name, Plots.name, Check.name, ExportPrint.name],
-    "Bistable::HingeCoupon": [Check.name, ExportPrint.name],
+    "Bistable::Curve": [TrianglePlacement.name, Units.name, AutoFit.name],
+    "Bistable::TrianglePlacement": [Units.name, AutoFit.name],
+    "Bistable::BistableUnit": [
+        AutoFit.name,
+        Deploy.name,
+        Plots.name,
+        HingeSet.name,
+        ExportPrint.name,
+    ],
+    "Bistable::HingeSet": [
+        AutoFit.name,
+        Deploy.name,
+        Plots.name,
+        Check.name,
+        ExportPrint.name,
+        Report.name,
+    ],
+    "Bistable::HingeCoupon": [Check.name, ExportPrint.name, Report.name],
 }
 
 

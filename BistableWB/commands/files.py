@@ -9,7 +9,7 @@ from .. import EXAMPLES, RESOURCES, design
 from ..objects import type_of
 from .base import QT_TRANSLATE_NOOP, Command, fit_view, quoted, translate
 
-_HELP = RESOURCES / "help" / "index.md"
+_HELP = RESOURCES / "help"
 
 
 class OpenExample(Command):
@@ -65,16 +65,40 @@ class ShowHelp(Command):
         window.raise_()
 
 
+def help_page():
+    """Path of the first page, in FreeCAD's language: a translation names its own page."""
+    return _HELP / translate("Bistable_Help", "index.md")
+
+
+class _Pages(QtGui.QTextBrowser):
+    """Shows pages with their pictures as wide as the text."""
+
+    def loadResource(self, kind, url):
+        """What a page asks for; pictures that are too wide become smaller."""
+        found = super().loadResource(kind, url)
+        if kind != QtGui.QTextDocument.ImageResource:
+            return found
+        image, width = QtGui.QImage(url.toLocalFile()), self.viewport().width() - 90
+        smooth = QtCore.Qt.SmoothTransformation
+        return image if image.width() <= width else image.scaledToWidth(width, smooth)
+
+
 def _help_window():
+    page = help_page()
     window = QtGui.QDialog(Gui.getMainWindow())
     window.setObjectName("BistableHelp")
     window.setWindowTitle(translate("Bistable_Help", "Bistable workbench: help"))
     window.resize(640, 720)
-    browser = QtGui.QTextBrowser(window)
+    browser = _Pages(window)
+    browser.ensurePolished()  # a style sheet brings its colours only now
+    palette = browser.palette()
+    if palette.color(QtGui.QPalette.Text).lightness() > 128:
+        palette.setColor(QtGui.QPalette.Link, QtGui.QColor("#7DB7FF"))
+        browser.setPalette(palette)
     browser.setOpenExternalLinks(True)
-    browser.setSearchPaths([str(_HELP.parent)])
+    browser.setSearchPaths([str(page.parent)])
     browser.document().setDocumentMargin(16)
-    browser.setSource(QtCore.QUrl.fromLocalFile(str(_HELP)))
+    browser.setSource(QtCore.QUrl.fromLocalFile(str(page)))
     layout = QtGui.QVBoxLayout(window)
     layout.setContentsMargins(0, 0, 0, 0)
     layout.addWidget(browser)

@@ -33,10 +33,12 @@ class HingeSet(Command):
             script.add("hinges = make.make_hinge_set(doc, units)")
             for line in settings.hinge_lines("hinges"):
                 script.add(line)
-            # not left to recompute, within which nothing can be cancelled
-            script.add("hinges.Proxy.model(hinges)")
+            script.add(settings.bed_line("hinges"))
+            script.add("make.make_solids(hinges)")
             script.view("Gui.Selection.clearSelection()")
-            script.view("for part in hinges.OutListRecursive: part.ViewObject.Visibility = False")
+            script.view(
+                "if hinges.isValid(): [part.ViewObject.hide() for part in hinges.OutListRecursive]"
+            )
         fit_view(isometric=True)
 
 

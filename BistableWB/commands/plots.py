@@ -15,7 +15,8 @@ class Plots(Command):
     text = QT_TRANSLATE_NOOP("Bistable_Plots", "Tube charts")
     tip = QT_TRANSLATE_NOOP(
         "Bistable_Plots",
-        "Show opening angles, ratios and snap margins of all units; click a bar to see its unit",
+        "Show opening angles, ratios, snap margins and energies of all units; click a bar to see "
+        "its unit",
     )
     shortcut = "O, L"
 

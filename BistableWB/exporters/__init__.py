@@ -30,6 +30,8 @@ FORMATS = {
     ".stp": "step",
     ".svg": "svg",
 }
+# Those that hold every state, or a program that makes them.
+_ALL_STATES = (".dxf", ".fold", ".scad", ".svg")
 
 
 def suffixes():
@@ -40,16 +42,19 @@ def suffixes():
 def export(objects, path, **options):
     """Write document objects to ``path`` in the format of its suffix; returns the path.
 
-    ``objects``: one object or several, recomputed. Options are the format's own. A file that is
-    there is replaced only by a whole new one. ValueError, one sentence with the cure, for an
-    unknown suffix or option, a folder that cannot be written, no objects, an invalid object.
+    ``objects``: one object or several, recomputed. Options are the format's own; formats of shapes
+    also take ``state``: "flat" or "deployed" (without it prints are flat, and faces are as they
+    are shown). A file that is there is replaced only by a whole new one. ValueError, one sentence
+    with the cure, for an unknown suffix or option, a folder that cannot be written, no objects, an
+    invalid object.
     """
     path = Path(path)
     write = _writer(path, options)
+    state = options.pop("state", None)
     if not isinstance(objects, list | tuple):
         objects = [objects] if objects is not None else []
-    bodies = bodies_of(objects)
-    _check_target(path)
+    bodies = bodies_of(objects, state)
+    check_target(path)
     try:
         _write_whole(write, bodies, path, options)
     except OSError as error:
@@ -68,6 +73,7 @@ def _writer(path, options):
         raise ValueError(f"{path.name} has {what}: name the file with one of {suffixes()}.")
     write = importlib.import_module(f"{__name__}.{FORMATS[suffix]}").write
     known = [p.name for p in inspect.signature(write).parameters.values()][2:]
+    known += [] if suffix in _ALL_STATES else ["state"]
     for name in options:
         if name not in known:
             offers = f"it has {', '.join(known)}" if known else "it has none"
@@ -75,7 +81,8 @@ def _writer(path, options):
     return write
 
 
-def _check_target(path):
+def check_target(path):
+    """ValueError, with the cure, where no file can be written at ``path``."""
     if path.is_dir():
         raise ValueError(f"{path} is a folder: add a file name to it.")
     if not path.parent.is_dir():

@@ -3,6 +3,8 @@
 
 from typing import Any, NamedTuple
 
+STATES = {"flat": 0.0, "deployed": 1.0}  # name -> opening
+
 
 class Body(NamedTuple):
     """One thing to export: ``name``, ``shape`` (global, mm), ``face_names`` (or empty), object."""
@@ -13,12 +15,15 @@ class Body(NamedTuple):
     source: Any
 
 
-def bodies_of(objects):
+def bodies_of(objects, state=None):
     """`Body` list of document objects; ValueError where one has nothing to export.
 
     An object's proxy may offer ``export_bodies(obj)`` → [(name, shape), …] in the object's own
-    frame (for one body each of a print), and ``face_names(obj)`` for its own shape's faces.
+    frame (for one body each of a print), ``bodies_at(obj, opening)`` for those of another
+    ``state``, a name in `STATES`, and ``face_names(obj)`` for its own shape's faces.
     """
+    if state is not None and state not in STATES:
+        raise ValueError(f"state is {state!r}: choose one of {', '.join(STATES)}.")
     if not objects:
         raise ValueError("Nothing is selected to export: choose one or more objects.")
     found = []
@@ -26,11 +31,20 @@ def bodies_of(objects):
         _check(obj)
         move = _into_global(obj)
         proxy = getattr(obj, "Proxy", None)
-        if hasattr(proxy, "export_bodies"):
+        if state is not None:
+            names = _face_names(obj, proxy)
+            found += [Body(n, move(s), names, obj) for n, s in _bodies_at(obj, proxy, state)]
+        elif hasattr(proxy, "export_bodies"):
             found += [Body(n, move(s), (), obj) for n, s in proxy.export_bodies(obj)]
         else:
             found.append(Body(obj.Label, move(obj.Shape), _face_names(obj, proxy), obj))
     return _with_unique_names(found)
+
+
+def _bodies_at(obj, proxy, state):
+    if not hasattr(proxy, "bodies_at"):
+        raise ValueError(f"{obj.Label} cannot be {state}: export it without a state.")
+    return proxy.bodies_at(obj, STATES[state])
 
 
 def _check(obj):

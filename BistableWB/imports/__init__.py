@@ -5,7 +5,16 @@ Lengths are millimetres. Every function raises ValueError, one sentence with the
 that is missing, broken or of another kind; nothing is left in the document then.
 """
 
-from .curves import SUFFIXES, curve_points, import_curve
-from .fold import import_fold, read_unit
+from .curves import SUFFIXES, curve_points, curve_wire, curves_in, import_curve
+from .fold import import_fold, read_unit, unit_count
 
-__all__ = ["SUFFIXES", "curve_points", "import_curve", "import_fold", "read_unit"]
+__all__ = [
+    "SUFFIXES",
+    "curve_points",
+    "curve_wire",
+    "curves_in",
+    "import_curve",
+    "import_fold",
+    "read_unit",
+    "unit_count",
+]

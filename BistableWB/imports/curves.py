@@ -5,11 +5,16 @@ SVG and DXF are read by FreeCAD's own importers, into a document that is closed 
 """
 
 import math
+import re
+import tempfile
 import warnings
 import xml.etree.ElementTree as ElementTree
 from itertools import pairwise
+from pathlib import Path
+from typing import NamedTuple
 
 import FreeCAD as App
+import numpy as np
 import Part
 
 from .. import make
@@ -17,6 +22,11 @@ from .text import file_at, table_points, text_of
 
 _SMALLEST = 1e-6  # mm: shorter edges are left out
 _GENTLE = 30.0  # degrees: a polygon that turns less at each corner is a curve told by its points
+_INKSCAPE = {  # name spaces of what Inkscape says of itself in an SVG
+    "inkscape": "http://www.inkscape.org/namespaces/inkscape",
+    "sodipodi": "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd",
+}
+_FLAT = 1e-7  # of its length that a curve in a plane may be off it
 _DEFLECTION = 0.01  # mm that the points of a curve may miss it between them
 
 
@@ -28,7 +38,7 @@ def import_curve(doc, path, kind="Plane", number=None, name=None):
     file's). The edges come into ``doc`` as an object of their own, which the Curve is linked to.
     """
     path = file_at(path)
-    wire = _wire(path, number)
+    wire = curve_wire(path, number)
     label = name or path.stem
     feature = doc.addObject("Part::Feature", "ImportedCurve")
     feature.Label = label
@@ -47,7 +57,7 @@ def curve_points(path, number=None):
     path = file_at(path)
     if path.suffix.lower() in _TABLES:
         return table_points(path)
-    wire = _wire(path, number)
+    wire = curve_wire(path, number)
     points = []
     for edge in wire.OrderedEdges:
         ends = edge.discretize(Deflection=_DEFLECTION)
@@ -55,18 +65,43 @@ def curve_points(path, number=None):
     return points
 
 
-def _wire(path, number):
+def curve_wire(path, number=None):
+    """The curve of a file as a wire; arguments as of `import_curve`."""
+    path = file_at(path)
+    return _smooth(Part.Wire(_chosen(_chains(path), number, path)))
+
+
+class Found(NamedTuple):
+    """A curve of a file: its ``length`` in mm, and the ``kind`` that a Curve along it is of."""
+
+    length: float
+    kind: str
+
+
+def curves_in(path):
+    """`Found` for every separate curve of a file, the longest first."""
+    return [Found(wire.Length, _kind(wire)) for wire in map(Part.Wire, _chains(file_at(path)))]
+
+
+def _kind(wire):
+    """Plane where the wire lies in one, else General."""
+    points = np.array([tuple(p) for p in wire.discretize(64)])
+    spread = np.linalg.svd(points - points.mean(0), compute_uv=False)
+    return "Plane" if spread[2] <= _FLAT * spread[0] else "General"
+
+
+def _chains(path):
+    """Lists of connected edges, the longest first; ValueError for a file without any."""
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         what = f"the suffix {path.suffix}" if path.suffix else "no suffix"
         raise ValueError(f"{path.name} has {what}: choose one of {', '.join(SUFFIXES)}.")
     if suffix in _TABLES:
-        return Part.Wire([_through(table_points(path))])
+        return [[_through(table_points(path))]]
     edges = [e for e in SUFFIXES[suffix](path) if e.Length > _SMALLEST]
     if not edges:
         raise ValueError(f"{path.name} holds no line or curve: draw one path, and export it again.")
-    chains = sorted(Part.sortEdges(edges), key=lambda chain: -sum(e.Length for e in chain))
-    return _smooth(Part.Wire(_chosen(chains, number, path)))
+    return sorted(Part.sortEdges(edges), key=lambda chain: -sum(e.Length for e in chain))
 
 
 def _chosen(chains, number, path):
@@ -114,8 +149,9 @@ def _through(points):
 
 
 def _svg_edges(path):
+    text = text_of(path, "SVG")
     try:
-        root = ElementTree.fromstring(text_of(path, "SVG"))
+        root = ElementTree.fromstring(text)
     except ElementTree.ParseError as error:
         raise ValueError(
             f"{path.name} is not a whole SVG file ({error}): save it again."
@@ -125,7 +161,24 @@ def _svg_edges(path):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of FreeCAD's own code
         import importSVG
-    return _edges_by(importSVG.insert, path)
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / path.name
+        copy.write_text(_with_resolution(text), encoding="utf-8")
+        return _edges_by(importSVG.insert, copy)
+
+
+def _with_resolution(text):
+    """An SVG text that says 96 dots an inch as Inkscape does: else FreeCAD asks, in a dialog."""
+    if "inkscape:version" in text:
+        return text
+    bare = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
+    missing = "".join(
+        f' xmlns:{name}="{address}"'
+        for name, address in _INKSCAPE.items()
+        if f"xmlns:{name}=" not in bare
+    )
+    said = rf'\g<0>{missing} inkscape:version="1.0" sodipodi:docname="drawing"'
+    return re.sub(r"<svg(?=[\s>])", said, bare, count=1)
 
 
 def _dxf_edges(path):

@@ -56,6 +56,26 @@ def import_fold(doc, path, unit=None):
     return obj
 
 
+def insert(path, document):
+    """FreeCAD's File → Import: every unit of the file, into the document of this name."""
+    doc = App.getDocument(document)
+    for unit in range(1, unit_count(path) + 1):
+        import_fold(doc, path, unit)
+    doc.recompute()
+
+
+def open(path):
+    """FreeCAD's File → Open: every unit of the file, in a new document."""
+    doc = App.newDocument(file_at(path).stem)
+    insert(path, doc.Name)
+    return doc
+
+
+def unit_count(path):
+    """Number of units in a FOLD file of ours; ValueError for any other file."""
+    return len(_content(file_at(path))[_KEY])
+
+
 def read_unit(path, unit=None):
     """`SingleUnit` of a FOLD file of ours; ValueError for any other file or a changed one."""
     path = file_at(path)

@@ -8,7 +8,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import ICONS
+from .. import ICONS, make
 from ..objects import type_of
 from ..objects.base import Result
 from .fields import KINDS, error_colour, wrapped
@@ -188,9 +188,7 @@ class ObjectPanel:
         for other in [self.obj, *self.obj.InListRecursive]:
             if type_of(other) in HEAVY:
                 try:
-                    other.Proxy.model(other)
-                except ValueError:
-                    pass  # recompute will say it
+                    make.make_solids(other)
                 except RuntimeError:
                     return False
         return True

@@ -4,12 +4,13 @@
 import time
 
 import FreeCADGui as Gui
-from pivy import coin
 from PySide import QtCore, QtGui
 
 from ..objects import type_of
+from ..origami.snap import PLA_STRAIN
 from ..viewproviders.motion import COLOURS, motion_of
 from .base import icon
+from .instead import Instead
 from .recording import Recorder
 from .texts import translate
 
@@ -67,22 +68,15 @@ class DeployPanel:
 
     def _take_over(self):
         """Show the motion instead of the object and of other states of the same tube."""
-        self.view.getSceneGraph().addChild(self.motion.root)
-        self._hidden = []
         family = [self.obj]
         if type_of(self.obj) == "Bistable::HingeSet":
             family.append(self.obj.Unit)
-        for other in family:
-            switch = other.ViewObject.SwitchNode
-            self._hidden.append((switch, switch.whichChild.getValue()))
-            switch.whichChild = coin.SO_SWITCH_NONE
+        self._shown = Instead(self.view, self.motion.root, family)
 
     def _give_back(self):
         self.stop()
         self.recorder.cancel()
-        self.view.getSceneGraph().removeChild(self.motion.root)
-        for switch, child in self._hidden:
-            switch.whichChild = child
+        self._shown.end()
 
     # the panel
 
@@ -119,6 +113,7 @@ class DeployPanel:
         self.colours.setObjectName("Colours")
         self.colours.addItem(translate("BistableDeploy", "Colour: panels"), COLOURS[0])
         self.colours.addItem(translate("BistableDeploy", "Colour: misfit"), COLOURS[1])
+        self.colours.addItem(translate("BistableDeploy", "Colour: strain"), COLOURS[2])
         self.colours.currentIndexChanged.connect(self._recolour)
         row.addWidget(self.play_button)
         row.addWidget(self.loop)
@@ -152,6 +147,12 @@ class DeployPanel:
             worst = float(self.motion.misfit(self._opening).max())
             misfit = translate("BistableDeploy", "misfit up to {:.2g} mm (full colour: {:.2g} mm)")
             parts.append(misfit.format(worst, self.motion.misfit_limit))
+        elif self.colours.currentData() == COLOURS[2]:
+            worst = float(self.motion.strain(self._opening).max())
+            strain = translate(
+                "BistableDeploy", "strain up to {:.2%} (full colour: {:.0%}, what PLA bears)"
+            )
+            parts.append(strain.format(worst, PLA_STRAIN))
         self.text.setText(", ".join(parts))
 
     # playing

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The dock with charts of a tube: opening angles, ratios, snap margins, unit by unit."""
+"""The dock with charts of a tube: angles, ratios, snap margins and energy, unit by unit."""
 
 import contextlib
 import math
@@ -7,15 +7,19 @@ import re
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 from PySide import QtCore, QtGui
 
 from ..objects import type_of
+from ..origami.snap import energy_path
 from ..viewproviders.bodies import bodies_shown
-from .charts import MARGIN, RATIO, THETA, BarChart
+from .charts import CHOSEN, MARGIN, RATIO, THETA, WEAKEST, BarChart, LineChart
 from .texts import translate
 
 _PANELS_A_UNIT = 12
 _HINGES, _UNITS = "Bistable::HingeSet", "Bistable::BistableUnit"
+_STEPS = 60  # of the energy's path
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class PlotsDock(QtGui.QDockWidget):
@@ -42,7 +46,8 @@ class PlotsDock(QtGui.QDockWidget):
             MARGIN,
             self.pick,
         )
-        self.charts = (self.thetas, self.ratios, self.margins)
+        self.energy = EnergyChart()
+        self.charts = (self.thetas, self.ratios, self.margins, self.energy)
         for chart in self.charts:
             column.addWidget(chart, 1)
         self.setWidget(body)
@@ -63,8 +68,9 @@ class PlotsDock(QtGui.QDockWidget):
         units = _units_below(self.obj)
         if units is None:
             self.heading.setText(translate("BistablePlots", "Select a tube to see its numbers."))
-            for chart in self.charts:
+            for chart in self.charts[:-1]:
                 chart.set_values([])
+            self.energy.set_units([], [])
             return
         self.heading.setText(f"<b>{self.obj.Label}</b>")
         thetas = list(units.Triangles.Thetas) if units.Triangles else [units.Theta.Value]
@@ -74,6 +80,7 @@ class PlotsDock(QtGui.QDockWidget):
         margins = list(getattr(self.obj, "SnapMargins", ()))
         self.margins.set_values(margins, [1.0] * len(margins))
         self.margins.setVisible(bool(margins))
+        self.energy.set_units(units.Alphas, units.Betas, margins)
 
     def refresh_soon(self):
         """Read the numbers when FreeCAD has finished what it does."""
@@ -90,16 +97,64 @@ class PlotsDock(QtGui.QDockWidget):
         """A bar was clicked: its unit is selected in the view."""
         if not is_there(self.obj):
             return
-        faces = faces_of_unit(self.obj, index)
+        elements = elements_of_unit(self.obj, index)
         Gui.Selection.clearSelection()
-        if faces:
-            Gui.Selection.addSelection(self.obj, faces)
+        if elements:
+            Gui.Selection.addSelection(self.obj, elements)
         self.choose({index})
 
     def choose(self, indices):
         """Highlight the bars of some units."""
         for chart in self.charts:
             chart.choose(indices)
+
+
+class EnergyChart(LineChart):
+    """Energy on the way from flat to deployed: of the weakest unit, and of those that are chosen.
+
+    Behind them a band from the weakest to the strongest of all units.
+    """
+
+    def __init__(self):
+        super().__init__("", translate("BistablePlots", "opening: flat to deployed"))
+        self.unit_across = "%"
+        self.set_units([], [])
+
+    def set_units(self, alphas, betas, margins=()):
+        """Show units of these angles (degrees); the weakest one has the least snap margin.
+
+        Without margins, which are of thick panels, it has the least energy barrier.
+        """
+        self.fractions, self.energies = [], np.zeros((0, _STEPS))
+        if len(alphas):
+            self.fractions, self.energies = energy_path(
+                np.radians(alphas), np.radians(betas), _STEPS
+            )
+            known = margins if len(margins) == len(alphas) else self.energies.max(1)
+            self.weakest = int(np.argmin(known))
+        self.choose({k for k in self.chosen if k < len(alphas)})
+
+    def choose(self, indices):
+        """Show these units beside the weakest one."""
+        super().choose(indices)
+        if not len(self.energies):
+            self.title = translate("BistablePlots", "Energy")
+            self.set_lines([], [])
+            return
+        power = math.floor(math.log10(max(self.energies.max(), 1e-300)))
+        scale = "10" + str(power).translate(_SUPERSCRIPTS)
+        self.title = translate("BistablePlots", "Energy, {} EA·‖AB‖").format(scale)
+        scaled = self.energies / 10.0**power
+        lines = [(self._name(k), scaled[k], CHOSEN) for k in sorted(self.chosen - {self.weakest})]
+        colour = CHOSEN if self.weakest in self.chosen else WEAKEST
+        lines.append((self._name(self.weakest), scaled[self.weakest], colour))
+        band = (scaled.min(0), scaled.max(0)) if len(scaled) > 1 else None
+        self.set_lines([100 * f for f in self.fractions], lines, band)
+
+    def _name(self, index):
+        if index != self.weakest or len(self.energies) == 1:
+            return translate("BistablePlots", "unit {}").format(index + 1)
+        return translate("BistablePlots", "weakest: unit {}").format(index + 1)
 
 
 class Watch:
@@ -118,8 +173,8 @@ class Watch:
         if type_of(obj) in (_HINGES, _UNITS):
             if obj is not self.dock.obj:
                 self.dock.show_tube(obj)
-            if element.startswith("Face"):
-                self.dock.choose({unit_of_face(obj, int(element[4:]))} - {None})
+            if element:
+                self.dock.choose({unit_of_element(obj, element)} - {None})
 
     def clearSelection(self, document):
         """Nothing is selected any more."""
@@ -157,38 +212,26 @@ def _units_below(obj):
     return units if units is not None and units.isValid() else None
 
 
-def _body_faces(obj):
-    """(units, first face, last face) of the bodies of a HingeSet; units and faces count from 1."""
-    first, found = 1, []
-    for name, shape in bodies_shown(obj):
-        count = shape.countElement("Face")
-        units = {int(digits) for digits in re.findall(r"(?:unit|block|_)(\d+)", name)}
-        found.append((units, first, first + count - 1))
-        first += count
-    return found
-
-
-def faces_of_unit(obj, index):
-    """Names of the faces of a unit (counted from 0) of a tube."""
+def elements_of_unit(obj, index):
+    """Names of what shows a unit (counted from 0) of a tube: faces of panels, or whole bodies."""
     if type_of(obj) == _UNITS:
         first = _PANELS_A_UNIT * index + 1
         return [f"Face{first + k}" for k in range(_PANELS_A_UNIT)]
-    return [
-        f"Face{face}"
-        for units, first, last in _body_faces(obj)
-        if index + 1 in units
-        for face in range(first, last + 1)
-    ]
+    return [element for name, element in bodies_shown(obj) if index + 1 in _units_of_body(name)]
 
 
-def unit_of_face(obj, number):
-    """Unit (counted from 0) that a face, counted from 1, belongs to; None where to none."""
+def unit_of_element(obj, element):
+    """Unit (counted from 0) that an element belongs to; None where to none."""
     if type_of(obj) == _UNITS:
-        return (number - 1) // _PANELS_A_UNIT
-    for units, first, last in _body_faces(obj):
-        if first <= number <= last and units:
-            return min(units) - 1
-    return None
+        is_face = element.startswith("Face")
+        return (int(element[4:]) - 1) // _PANELS_A_UNIT if is_face else None
+    units = {e: _units_of_body(name) for name, e in bodies_shown(obj)}.get(element)
+    return min(units) - 1 if units else None
+
+
+def _units_of_body(name):
+    """Units, counted from 1, that a body belongs to by its name: a block to two."""
+    return {int(digits) for digits in re.findall(r"(?:unit|block|_)(\d+)", name)}
 
 
 def dock():

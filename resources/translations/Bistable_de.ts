@@ -9,7 +9,110 @@
   </message>
  </context>
  <context>
+  <name>BistableAutoFit</name>
+  <message>
+   <source>Angle by which the first segment leans forward</source>
+   <translation>Winkel, um den sich die erste Strecke nach vorn neigt</translation>
+  </message>
+  <message>
+   <source>Auto-fit</source>
+   <translation>Automatisch anpassen</translation>
+  </message>
+  <message>
+   <source>Bed, mm</source>
+   <translation>Druckbett, mm</translation>
+  </message>
+  <message>
+   <source>Edge length, mm: the width of the tube</source>
+   <translation>Kantenlänge, mm: die Breite des Schlauchs</translation>
+  </message>
+  <message>
+   <source>Height of the print (mm)</source>
+   <translation>Höhe des Drucks (mm)</translation>
+  </message>
+  <message>
+   <source>How the ratio of every unit is chosen</source>
+   <translation>Wie das Verhältnis jeder Einheit gewählt wird</translation>
+  </message>
+  <message>
+   <source>Largest distance of the curve from the tube's blocks, mm</source>
+   <translation>Größter Abstand der Kurve von den Blöcken des Schlauchs, mm</translation>
+  </message>
+  <message>
+   <source>Largest strain where it snaps</source>
+   <translation>Größte Dehnung beim Umschnappen</translation>
+  </message>
+  <message>
+   <source>Length, width and height of the flat-folded print</source>
+   <translation>Länge, Breite und Höhe des flach gefalteten Drucks</translation>
+  </message>
+  <message>
+   <source>Number of units</source>
+   <translation>Anzahl der Einheiten</translation>
+  </message>
+  <message>
+   <source>Search</source>
+   <translation>Suchen</translation>
+  </message>
+  <message>
+   <source>Search, then choose one of the proposals.</source>
+   <translation>Erst suchen, dann einen der Vorschläge wählen.</translation>
+  </message>
+  <message>
+   <source>Smallest snap margin; below 1 is floppy</source>
+   <translation>Kleinste Schnappreserve; unter 1 schlaff</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Stopped.</source>
+   <translation>Angehalten.</translation>
+  </message>
+  <message>
+   <source>Wanted</source>
+   <translation>Gewünscht</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <translation>daneben</translation>
+  </message>
+  <message>
+   <source>off the curve (mm)</source>
+   <translation>neben der Kurve (mm)</translation>
+  </message>
+  <message>
+   <source>print, mm</source>
+   <translation>Druck, mm</translation>
+  </message>
+  <message>
+   <source>ratio rule</source>
+   <translation>Verhältnisregel</translation>
+  </message>
+  <message>
+   <source>snap</source>
+   <translation>Reserve</translation>
+  </message>
+  <message>
+   <source>strain</source>
+   <translation>Dehnung</translation>
+  </message>
+  <message>
+   <source>{n} units, θ {low:.0f}° … {high:.0f}°, ratio rule {rule}: snap margin {margin:.2f} or more (weakest: unit {weakest}), strain {strain:.1%} at most; print {size} mm; at most {off:.1f} mm off the curve, {covered:.0%} of it followed.</source>
+   <translation>{n} Einheiten, θ {low:.0f}° … {high:.0f}°, Verhältnisregel {rule}: Schnappreserve mindestens {margin:.2f} (am schwächsten: Einheit {weakest}), Dehnung höchstens {strain:.1%}; Druck {size} mm; höchstens {off:.1f} mm neben der Kurve, der sie zu {covered:.0%} folgen.</translation>
+  </message>
+ </context>
+ <context>
   <name>BistableCheck</name>
+  <message>
+   <source>Ask OpenSCAD too (about {} min)</source>
+   <translation>OpenSCAD fragen (etwa {} min)</translation>
+  </message>
+  <message>
+   <source>Check for this printer</source>
+   <translation>Für diesen Drucker prüfen</translation>
+  </message>
   <message>
    <source>Check {}</source>
    <translation>{} prüfen</translation>
@@ -23,24 +126,68 @@
    <translation>Geschlossene Körper …</translation>
   </message>
   <message>
+   <source>Layer height</source>
+   <translation>Schichthöhe</translation>
+  </message>
+  <message>
+   <source>Layers and overhangs…</source>
+   <translation>Schichten und Überhänge …</translation>
+  </message>
+  <message>
+   <source>Looks whether the toolpaths keep bodies that move apart.</source>
+   <translation>Sieht nach, ob die Werkzeugwege bewegliche Körper getrennt lassen.</translation>
+  </message>
+  <message>
    <source>Making the meshes…</source>
    <translation>Netze werden erstellt …</translation>
+  </message>
+  <message>
+   <source>No errors, but {} warnings before you print.</source>
+   <translation>Keine Fehler, aber {} Warnungen: vor dem Druck ansehen.</translation>
   </message>
   <message>
    <source>Nothing speaks against printing.</source>
    <translation>Nichts spricht gegen den Druck.</translation>
   </message>
   <message>
-   <source>Overlaps when opened to {:.0%}…</source>
-   <translation>Durchdringungen bei {:.0%} Öffnung …</translation>
+   <source>Nozzle</source>
+   <translation>Düse</translation>
+  </message>
+  <message>
+   <source>OpenSCAD renders the mesh with exact numbers.</source>
+   <translation>OpenSCAD berechnet das Netz mit exakten Zahlen.</translation>
+  </message>
+  <message>
+   <source>Overlaps when opened to {}…</source>
+   <translation>Durchdringungen bei Öffnung {} …</translation>
+  </message>
+  <message>
+   <source>Show: select and mark it in the 3D view</source>
+   <translation>Zeigen: in der 3D-Ansicht auswählen und markieren</translation>
   </message>
   <message>
    <source>Size of the print…</source>
    <translation>Größe des Drucks …</translation>
   </message>
   <message>
+   <source>Slice it too (PrusaSlicer, about {} min)</source>
+   <translation>Slicen (PrusaSlicer, etwa {} min)</translation>
+  </message>
+  <message>
+   <source>Snap of the units…</source>
+   <translation>Schnappen der Einheiten …</translation>
+  </message>
+  <message>
+   <source>Walls and cones…</source>
+   <translation>Wände und Kegel …</translation>
+  </message>
+  <message>
    <source>{} errors: correct them first.</source>
    <translation>{} Fehler: zuerst beheben.</translation>
+  </message>
+  <message>
+   <source>… and {} more.</source>
+   <translation>… und {} weitere.</translation>
   </message>
  </context>
  <context>
@@ -52,6 +199,10 @@
   <message>
    <source>Colour: panels</source>
    <translation>Farbe: Flächenarten</translation>
+  </message>
+  <message>
+   <source>Colour: strain</source>
+   <translation>Farbe: Dehnung</translation>
   </message>
   <message>
    <source>Deploy</source>
@@ -114,12 +265,75 @@
    <translation>Passfehler bis {:.2g} mm (volle Farbe: {:.2g} mm)</translation>
   </message>
   <message>
+   <source>strain up to {:.2%} (full colour: {:.0%}, what PLA bears)</source>
+   <translation>Dehnung bis {:.2%} (volle Farbe: {:.0%}, was PLA aushält)</translation>
+  </message>
+  <message>
    <source>{:.0%} open</source>
    <translation>{:.0%} offen</translation>
   </message>
   <message>
    <source>{} pictures were written to {}.</source>
    <translation>{} Bilder wurden nach {} geschrieben.</translation>
+  </message>
+ </context>
+ <context>
+  <name>BistableExport</name>
+  <message>
+   <source>A tab along every seam</source>
+   <translation>Eine Lasche an jeder Naht</translation>
+  </message>
+  <message>
+   <source>Author</source>
+   <translation>Verfasser</translation>
+  </message>
+  <message>
+   <source>Colours</source>
+   <translation>Farben</translation>
+  </message>
+  <message>
+   <source>Depth of tabs</source>
+   <translation>Tiefe der Laschen</translation>
+  </message>
+  <message>
+   <source>Export {}</source>
+   <translation>{} exportieren</translation>
+  </message>
+  <message>
+   <source>Fill the panels in the colours of their kinds</source>
+   <translation>Die Flächen in den Farben ihrer Art füllen</translation>
+  </message>
+  <message>
+   <source>Glue tabs</source>
+   <translation>Klebelaschen</translation>
+  </message>
+  <message>
+   <source>Sheet</source>
+   <translation>Bogen</translation>
+  </message>
+  <message>
+   <source>States between flat and deployed, as a series of frames</source>
+   <translation>Zustände zwischen flach und entfaltet, als Bilderreihe</translation>
+  </message>
+  <message>
+   <source>States on the way</source>
+   <translation>Zwischenzustände</translation>
+  </message>
+  <message>
+   <source>Title</source>
+   <translation>Titel</translation>
+  </message>
+  <message>
+   <source>none</source>
+   <translation>keine</translation>
+  </message>
+  <message>
+   <source>the smallest that will do</source>
+   <translation>der kleinste, der reicht</translation>
+  </message>
+  <message>
+   <source>{} was not written: the report view says why.</source>
+   <translation>{} wurde nicht geschrieben: Die Ausgabeansicht sagt, warum.</translation>
   </message>
  </context>
  <context>
@@ -204,6 +418,14 @@
  <context>
   <name>BistablePlots</name>
   <message>
+   <source>Energy</source>
+   <translation>Energie</translation>
+  </message>
+  <message>
+   <source>Energy, {} EA·‖AB‖</source>
+   <translation>Energie, {} EA·‖AB‖</translation>
+  </message>
+  <message>
    <source>Opening angle θ</source>
    <translation>Öffnungswinkel θ</translation>
   </message>
@@ -222,6 +444,18 @@
   <message>
    <source>Tube charts</source>
    <translation>Schlauch-Diagramme</translation>
+  </message>
+  <message>
+   <source>opening: flat to deployed</source>
+   <translation>Öffnung: flach bis entfaltet</translation>
+  </message>
+  <message>
+   <source>unit {}</source>
+   <translation>Einheit {}</translation>
+  </message>
+  <message>
+   <source>weakest: unit {}</source>
+   <translation>schwächste: Einheit {}</translation>
   </message>
  </context>
  <context>
@@ -502,8 +736,8 @@
    <translation>Für allgemeine Kurven mit einer Richtung als Erzeugende: die Strecken unterwegs nicht kippen lassen (lange Schrauben)</translation>
   </message>
   <message>
-   <source>For the rule Adaptive: where the ratio lies between sin(theta/2) (0) and 1; smaller snaps harder</source>
-   <translation>Für die Regel Angepasst: wo das Verhältnis zwischen sin(theta/2) (0) und 1 liegt; kleiner schnappt härter</translation>
+   <source>For the rule Adaptive: where the ratio lies between the least one (0; sin(theta/2), more where contact panels lean) and 1; smaller snaps harder</source>
+   <translation>Für die Regel Angepasst: wo das Verhältnis zwischen dem kleinsten (0; sin(theta/2), mehr bei geneigten Kontaktflächen) und 1 liegt; kleiner schnappt härter</translation>
   </message>
   <message>
    <source>Gamma</source>
@@ -730,8 +964,8 @@
    <translation>Ebene: eine beliebige Ebene im Raum. Kugel: auf der Kugel mit Kugelradius um die Kugelmitte. Allgemein: eine beliebige Raumkurve, siehe Erzeugende</translation>
   </message>
   <message>
-   <source>Play of one hinge; 0.28 mm is that of the hinges' defaults</source>
-   <translation>Spiel eines Scharniers; 0,28 mm ist das der voreingestellten Scharniere</translation>
+   <source>Play of one hinge; 0.28 mm is that of the hinges' defaults, 0 that of flexible hinges</source>
+   <translation>Spiel eines Scharniers; 0,28 mm ist das der voreingestellten Scharniere, 0 das flexibler Scharniere</translation>
   </message>
   <message>
    <source>Points</source>
@@ -942,8 +1176,8 @@
    <translation>Worauf vor dem Druck zu achten ist</translation>
   </message>
   <message>
-   <source>Which units cannot reach the target, and what would help</source>
-   <translation>Welche Einheiten das Ziel nicht erreichen, und was helfen würde</translation>
+   <source>Which units are floppy (thick ones, with hinges of HingePlay) or cannot reach the target, and what would help</source>
+   <translation>Welche Einheiten schlaff sind (dick, mit Scharnieren vom Scharnierspiel) oder das Ziel nicht erreichen, und was helfen würde</translation>
   </message>
   <message>
    <source>Width of the coupon</source>
@@ -955,14 +1189,25 @@
   </message>
  </context>
  <context>
+  <name>Bistable_AutoFit</name>
+  <message>
+   <source>Auto-fit</source>
+   <translation>Automatisch anpassen</translation>
+  </message>
+  <message>
+   <source>Propose edge length, gamma and ratio rule for a curve, so that its tube fits the printer and snaps</source>
+   <translation>Kantenlänge, Gamma und Verhältnisregel für eine Kurve vorschlagen, sodass ihr Schlauch in den Drucker passt und schnappt</translation>
+  </message>
+ </context>
+ <context>
   <name>Bistable_Check</name>
   <message>
    <source>Check print</source>
    <translation>Druck prüfen</translation>
   </message>
   <message>
-   <source>Check the selected hinge set or coupon: closed solids, clearances, overlaps, size of the print bed</source>
-   <translation>Den gewählten Scharniersatz oder das Probestück prüfen: geschlossene Körper, Abstände, Durchdringungen, Größe des Druckbetts</translation>
+   <source>Check the selected hinge set or coupon: size, snap, closed solids, clearances, walls, layers, overhangs, overlaps</source>
+   <translation>Den gewählten Scharniersatz oder das Probestück prüfen: Größe, Schnappen, geschlossene Körper, Abstände, Wände, Schichten, Überhänge, Durchdringungen</translation>
   </message>
  </context>
  <context>
@@ -1020,6 +1265,14 @@
    <translation>Den flach gefalteten Druck in eine Datei für den Slicer (3MF, STL, STEP) oder als Faltmuster (FOLD, SVG, DXF) schreiben</translation>
   </message>
   <message>
+   <source>deployed</source>
+   <translation>entfaltet</translation>
+  </message>
+  <message>
+   <source>flat</source>
+   <translation>flach</translation>
+  </message>
+  <message>
    <source>{} was written to {} ({} kB).</source>
    <translation>{} wurde nach {} geschrieben ({} kB).</translation>
   </message>
@@ -1037,6 +1290,10 @@
   <message>
    <source>Show how to get from a curve to a printed tube</source>
    <translation>Zeigen, wie aus einer Kurve ein gedruckter Schlauch wird</translation>
+  </message>
+  <message>
+   <source>index.md</source>
+   <translation>de/index.md</translation>
   </message>
  </context>
  <context>
@@ -1059,6 +1316,29 @@
   <message>
    <source>Turn the selected bistable units into thick panels with print-in-place hinges, flat-folded as they are printed</source>
    <translation>Aus den gewählten bistabilen Einheiten dicke Platten mit fertig gedruckten Scharnieren machen, flach gefaltet wie im Druck</translation>
+  </message>
+ </context>
+ <context>
+  <name>Bistable_Import</name>
+  <message>
+   <source>Curve {}: {:.4g} mm</source>
+   <translation>Kurve {}: {:.4g} mm</translation>
+  </message>
+  <message>
+   <source>Curves and units ({})</source>
+   <translation>Kurven und Einheiten ({})</translation>
+  </message>
+  <message>
+   <source>Import curve</source>
+   <translation>Kurve importieren</translation>
+  </message>
+  <message>
+   <source>Import units</source>
+   <translation>Einheiten importieren</translation>
+  </message>
+  <message>
+   <source>Make a curve from an SVG, DXF or CSV file, or units from a FOLD file of this workbench</source>
+   <translation>Eine Kurve aus einer SVG-, DXF- oder CSV-Datei machen, oder Einheiten aus einer FOLD-Datei dieses Arbeitsbereichs</translation>
   </message>
  </context>
  <context>
@@ -1086,8 +1366,8 @@
  <context>
   <name>Bistable_Plots</name>
   <message>
-   <source>Show opening angles, ratios and snap margins of all units; click a bar to see its unit</source>
-   <translation>Öffnungswinkel, Verhältnisse und Schnappreserven aller Einheiten zeigen; ein Klick auf einen Balken zeigt die Einheit</translation>
+   <source>Show opening angles, ratios, snap margins and energies of all units; click a bar to see its unit</source>
+   <translation>Öffnungswinkel, Verhältnisse, Schnappreserven und Energien aller Einheiten zeigen; ein Klick auf einen Balken zeigt seine Einheit</translation>
   </message>
   <message>
    <source>Tube charts</source>
@@ -1111,6 +1391,25 @@
   <message>
    <source>Repaired: {}</source>
    <translation>Repariert: {}</translation>
+  </message>
+ </context>
+ <context>
+  <name>Bistable_Report</name>
+  <message>
+   <source>No browser could be started: open {} yourself.</source>
+   <translation>Kein Browser ließ sich starten: {} bitte selbst öffnen.</translation>
+  </message>
+  <message>
+   <source>Report</source>
+   <translation>Bericht</translation>
+  </message>
+  <message>
+   <source>Write a report on the selected print or tube, one HTML file with pictures, numbers, checks and how to make it again, and open it in the browser</source>
+   <translation>Einen Bericht über den gewählten Druck oder Schlauch schreiben, eine HTML-Datei mit Bildern, Zahlen, Prüfungen und wie man ihn wieder macht, und im Browser öffnen</translation>
+  </message>
+  <message>
+   <source>with the slicer's comparison (minutes)</source>
+   <translation>mit dem Vergleich des Slicers (Minuten)</translation>
   </message>
  </context>
  <context>

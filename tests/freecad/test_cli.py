@@ -189,6 +189,8 @@ BAD = {
     "ratio unused": (UNIT + "ratio = 0.5\nratio_rule = 'Paper'", "not used by ratio_rule Paper"),
     "line break": ('[design]\nname = "a\\nb"', "characters that do not print"),
     "format": (ARCH + "[output]\nformats = ['dwg']", "choose one of step, obj"),
+    "tabs of no net": (ARCH + "[output]\ntabs = true", "tabs is for svg and dxf; add one to"),
+    "net of a coupon": ("[coupon]\n[output]\nformats = ['svg']", "which is of a tube; add a"),
     "print without hinges": (ARCH + "[output]\nformats = ['stl']", "add a table [hinges]"),
     "hinges alone": ("[hinges]\npivot = 'Pin'", "[hinges] needs a tube"),
     "hinge key": (UNIT + "[hinges]\ngap_lenght = 1", "did you mean gap_length?"),

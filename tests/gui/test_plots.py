@@ -3,6 +3,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 import pytest
 from PySide import QtGui
 
@@ -49,6 +50,22 @@ def test_a_click_on_a_bar_selects_its_unit_and_back(gui, charts, mouse):
     assert charts.thetas.chosen == {2}
 
 
+def test_energy_is_of_the_weakest_unit_and_of_those_chosen(gui, charts, screenshot):
+    units = App.ActiveDocument.BistableUnit
+    weakest = int(np.argmin(units.Barriers))
+    (line,) = charts.energy.lines
+    assert line[0] == f"weakest: unit {weakest + 1}"
+    factor = 10.0 ** np.floor(np.log10(max(units.Barriers)))  # of the scale, in the title
+    assert max(line[1]) * factor == pytest.approx(units.Barriers[weakest], rel=1e-2)
+    assert (line[1][0], line[1][-1]) == pytest.approx((0, 0), abs=1e-9)
+    other = int(np.argmax(units.Barriers))
+    charts.pick(other)
+    named = {name: max(ys) * factor for name, ys, _ in charts.energy.lines}
+    assert named[f"unit {other + 1}"] == pytest.approx(max(units.Barriers), rel=1e-2)
+    assert len(named) == 2
+    screenshot("charts-energy")
+
+
 def test_charts_in_a_dark_theme(gui, charts, screenshot):
     palette = QtGui.QPalette(charts.palette())
     palette.setColor(QtGui.QPalette.Window, QtGui.QColor("#2b2b2b"))
@@ -72,10 +89,11 @@ def test_charts_of_thick_bodies(gui, charts):
     doc.recompute()
     charts.show_tube(hinges)
     assert charts.thetas.values == [45]
+    assert [name for name, _, _ in charts.energy.lines] == ["unit 1"]
     charts.pick(0)
     (picked,) = Gui.Selection.getSelectionEx()
     assert picked.Object is hinges
-    assert len(picked.SubElementNames) == len(hinges.Shape.Faces)
+    assert set(picked.SubElementNames) == {f"Solid{k + 1}" for k in range(hinges.BodyCount)}
 
 
 def test_charts_survive_the_end_of_their_tube(gui, charts):
@@ -83,4 +101,18 @@ def test_charts_survive_the_end_of_their_tube(gui, charts):
     gui(0.3)
     assert charts.obj is None
     assert charts.thetas.values == []
+    assert charts.energy.lines == []
     charts.refresh()
+
+
+def test_charts_of_hinges_without_play_are_drawn(gui, charts):
+    """Their snap margins are infinite."""
+    doc = App.newDocument("Soft")
+    units = make.make_bistable_unit(doc, theta=45, edge_length=60)
+    hinges = make.make_hinge_set(doc, units, hinge_type="Flexible")
+    doc.recompute()
+    charts.show_tube(hinges)
+    assert charts.margins.values == [np.inf]
+    gui(0.3)
+    middle = charts.margins.centre_of(0)
+    assert charts.margins.grab().toImage().pixelColor(middle) == charts.margins.colour

@@ -58,6 +58,30 @@ def test_new_objects_follow_and_existing_ones_stay(gui, page):
     ]
 
 
+def test_the_bed_goes_into_new_hinge_sets_only(gui, page):
+    doc = App.newDocument("Bed")
+    units = make.make_bistable_unit(doc, theta=45, edge_length=60)
+    old = make.make_hinge_set(doc, units)
+    doc.recompute()
+    page.numbers["BedWidth"].setValue(180)
+    page.saveSettings()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(units)
+    Gui.runCommand("Bistable_HingeSet")
+    new = doc.Objects[-1]
+    assert tuple(new.Bed) == (180, 210, 210)
+    assert new.isValid(), new.getStatusString()
+    old.touch()
+    doc.recompute()
+    assert tuple(old.Bed) == (0, 0, 0)
+    page.numbers["BedWidth"].setValue(30)
+    page.saveSettings()
+    Gui.runCommand("Bistable_HingeSet")
+    refused = doc.Objects[-1]
+    assert "Bed" in refused.getStatusString()  # it is there, red, and says what to change
+    assert tuple(refused.Bed) == (30, 210, 210)
+
+
 def test_the_page_is_among_freecads_preferences(gui, screenshot):
     seen = []
 

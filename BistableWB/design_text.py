@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Objects of a document as a design file that makes the same again: the way back of `produce`."""
+
+import json
+
+import FreeCAD as App
+import Part
+
+from .design_table import RULE_OF, SINGLE_UNIT, TABLES
+from .objects import type_of
+from .objects.base import global_placement
+from .objects.curve import geometry_of
+from .objects.edges import edges_of
+
+# Table -> type of the object that it makes, and the property by which that links to the one before.
+_CHAIN = {
+    "hinges": ("Bistable::HingeSet", "Unit"),
+    "unit": ("Bistable::BistableUnit", "Triangles"),
+    "triangles": ("Bistable::TrianglePlacement", "Curve"),
+    "curve": ("Bistable::Curve", ""),
+    "coupon": ("Bistable::HingeCoupon", ""),
+}
+CURVE_FILE = "curve.brep"
+
+
+def objects_of(obj):
+    """{table: object}: a print or a tube of ours with all that it is made from, inputs first.
+
+    As `produce.build` returns them; ValueError for other objects.
+    """
+    table = next((table for table, (kind, _) in _CHAIN.items() if kind == type_of(obj)), None)
+    if table is None or table in ("curve", "triangles"):
+        raise ValueError(
+            f"{obj.Label} is no tube: choose a BistableUnit, a HingeSet or a HingeCoupon."
+        )
+    found = {}
+    while obj is not None:
+        table = next(table for table, (kind, _) in _CHAIN.items() if kind == type_of(obj))
+        found[table] = obj
+        obj = getattr(obj, _CHAIN[table][1], None) if _CHAIN[table][1] else None
+    return dict(reversed(found.items()))
+
+
+def text_of(objects, title):
+    """The text of a design file for ``objects`` {table: object}, and its curve's file.
+
+    The second is the content of `CURVE_FILE`, to lie beside the design file, or empty where the
+    curve has control points. ValueError where a design file cannot say what the document does.
+    """
+    tables = {"design": {"name": title}}
+    curve_file = ""
+    for table, obj in objects.items():
+        if table == "curve":
+            tables[table], curve_file = _curve(obj)
+        else:
+            tables[table] = _values(obj, table, unused(obj))
+    parts = [
+        "\n".join([f"[{table}]", *(f"{key} = {_toml(value)}" for key, value in values.items())])
+        for table, values in tables.items()
+    ]
+    return "\n\n".join(parts) + "\n", curve_file
+
+
+def unused(obj):
+    """Names of properties that have no effect as the object stands."""
+    names = set()
+    kind = getattr(getattr(obj, "Curve", None) or obj, "Kind", "")
+    if kind != "Sphere":
+        names |= {"SphereRadius", "SphereCenter"}
+    if kind != "General":
+        names |= {"RulingKind", "Ruling", "Level"}
+    rule = getattr(obj, "RatioRule", "")
+    names |= {TABLES["unit"][key].property for key, r in RULE_OF.items() if r != rule}
+    if getattr(obj, "Triangles", None) is not None:
+        names |= {TABLES["unit"][key].property for key in SINGLE_UNIT}
+    if getattr(obj, "Preset", "") == "Custom":
+        names.add("Preset")
+    return names
+
+
+def _values(obj, table, leave_out):
+    """{key: plain value} of the properties of an object."""
+    return {
+        key: _plain(getattr(obj, entry.property))
+        for key, entry in TABLES[table].items()
+        if entry.property and entry.property not in leave_out
+    }
+
+
+def _plain(value):
+    if isinstance(value, App.Units.Quantity):
+        return value.Value
+    if isinstance(value, App.Vector):
+        return list(value)
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    return value
+
+
+def _curve(obj):
+    """Values of [curve], in global coordinates, and the content of its file if it needs one."""
+    values = _values(obj, "curve", unused(obj) | {"Points"})
+    place = global_placement(obj)
+    if obj.Kind == "Sphere":
+        values["sphere_center"] = list(place.multVec(obj.SphereCenter))
+    moved = not place.isIdentity()
+    if obj.Kind == "General" and (moved or obj.RulingKind != "Automatic" or obj.Source):
+        kind, vector = geometry_of(obj).legs
+        values["ruling_kind"] = "Direction" if kind == "parallel" else "Viewpoint"
+        values["ruling"] = [float(x) for x in vector]
+    elif obj.Kind == "General":
+        del values["ruling"]
+    if obj.Source is not None:
+        values["source"] = CURVE_FILE
+        return values, Part.makeCompound(edges_of(obj.Source)[0]).exportBrepToString()
+    values["points"] = [list(p) for p in _global_points(obj, place)]
+    return values, ""
+
+
+def _global_points(obj, place):
+    plan = obj.Kind == "Sphere" and not any(p.z for p in obj.Points)
+    if not plan:
+        return [place.multVec(p) for p in obj.Points]
+    if place.Rotation.Angle > 1e-12:
+        raise ValueError(
+            f"A design file cannot turn a plan on a sphere: set the rotation of {obj.Label} to 0, "
+            "or give its points heights."
+        )
+    return list(obj.Points)
+
+
+def _toml(value):
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return json.dumps(value, ensure_ascii=False)

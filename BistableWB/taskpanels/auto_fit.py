@@ -1,0 +1,371 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of Auto-fit: wishes, a search beside the window, its proposals, one of them applied."""
+
+import re
+import threading
+from math import degrees
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from .. import fitting
+from ..commands.base import Script, by_name
+from ..objects import type_of
+from ..origami import auto_fit as search
+from ..viewproviders.motion import FacesMotion
+from .base import icon
+from .charts import PointChart
+from .fields import error_colour
+from .instead import Instead
+from .texts import translate, translated
+from .wishes import Wishes
+
+TRIANGLES, UNIT, HINGES = (
+    f"Bistable::{name}" for name in ("TrianglePlacement", "BistableUnit", "HingeSet")
+)
+_POLL = 80  # ms between looks at the search
+
+
+class AutoFitPanel:
+    """Proposals for the tube along ``source``, a TrianglePlacement or a Curve.
+
+    The document is changed by OK only, in one undo step that a macro keeps.
+    """
+
+    def __init__(self, source):
+        self.source, self.doc = source, source.Document
+        followers = [obj for obj in source.InListRecursive if type_of(obj) in (UNIT, HINGES)]
+        self.units = [obj for obj in followers if type_of(obj) == UNIT]
+        self.hinges = [obj for obj in followers if type_of(obj) == HINGES]
+        self.fit, self.course, self.chosen = None, None, None
+        self._search, self._shown = None, None
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("BistableAutoFit")
+        self.form.setWindowTitle(translate("BistableAutoFit", "Auto-fit"))
+        self.form.setWindowIcon(icon("AutoFit"))
+        self._build()
+        self._timer = QtCore.QTimer(self.form)
+        self._timer.timeout.connect(self._follow)
+
+    # what FreeCAD calls
+
+    def getStandardButtons(self):
+        """OK and Cancel."""
+        box = QtGui.QDialogButtonBox
+        return sum(int(getattr(b, "value", b)) for b in (box.Ok, box.Cancel))
+
+    def accept(self):
+        """OK: the chosen proposal becomes the document's. Stay open where there is none."""
+        if self.chosen is None:
+            self.say(translate("BistableAutoFit", "Search, then choose one of the proposals."))
+            return False
+        self.reject()
+        App.setActiveDocument(self.doc.Name)
+        with Script(translate("BistableAutoFit", "Auto-fit")) as script:
+            for line in self._lines():
+                script.add(line)
+        return True
+
+    def reject(self):
+        """Cancel: a search that still runs is forgotten, the view is as it was."""
+        self._timer.stop()
+        if self._search:
+            self._search.stop()
+        self._hide_preview()
+        return True
+
+    # the panel
+
+    def _build(self):
+        column = QtGui.QVBoxLayout(self.form)
+        self.chart = PointChart(
+            translate("BistableAutoFit", "Height of the print (mm)"),
+            translate("BistableAutoFit", "off the curve (mm)"),
+            self.choose,
+        )
+        self.chart.setMinimumHeight(170)
+        self.table = _table()
+        self.table.itemSelectionChanged.connect(self._row_chosen)
+        self.details = QtGui.QLabel()
+        self.details.setObjectName("Details")
+        self.details.setWordWrap(True)
+        self.details.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        for part in (self.chart, self.table, self.details):
+            column.addWidget(part)
+        self.wishes = Wishes((self.hinges or [None])[-1], (self.units or [None])[-1])
+        column.addWidget(self.wishes.box)
+        row = QtGui.QHBoxLayout()
+        self.button = QtGui.QPushButton()
+        self.button.setObjectName("Search")
+        self.button.clicked.connect(self._press)
+        self.bar = QtGui.QProgressBar()
+        self.bar.setRange(0, 100)
+        row.addWidget(self.button)
+        row.addWidget(self.bar, 1)
+        column.addLayout(row)
+        self.message = QtGui.QLabel()
+        self.message.setObjectName("Message")
+        self.message.setWordWrap(True)
+        column.addWidget(self.message)
+        column.addStretch(1)
+        self._rest()
+        self._show_results(False)
+
+    def say(self, text, colour=""):
+        """A message below everything, or none."""
+        self.message.setText(text)
+        self.message.setStyleSheet(f"color: {colour}" if colour else "")
+        self.message.setVisible(bool(text))
+
+    def _rest(self):
+        """Nothing is searched."""
+        self.button.setText(translate("BistableAutoFit", "Search"))
+        self.bar.hide()
+
+    def _show_results(self, shown):
+        for part in (self.chart, self.table, self.details):
+            part.setVisible(shown)
+
+    # searching
+
+    def _press(self):
+        if self._search:
+            self._search.stop()
+        else:
+            self.start()
+
+    def start(self):
+        """Search with the wishes as they are."""
+        self.say("")
+        self.wishes.explain("", "")
+        try:
+            wanted = self.wishes.wanted()
+            wanted.check()
+            self.course = fitting.course_of(self.source)
+        except ValueError as error:
+            self._explain(str(error))
+            return
+        self._search = _Search(self.course, wanted)
+        self.button.setText(translate("BistableAutoFit", "Stop"))
+        self.bar.setValue(0)
+        self.bar.show()
+        self._timer.start(_POLL)
+
+    def _follow(self):
+        """Show how far the search is, and what came out of it."""
+        found = self._search
+        self.bar.setValue(round(100 * found.fraction))
+        if found.is_running():
+            return
+        self._timer.stop()
+        self._search = None
+        self._rest()
+        if found.error:
+            self._explain(found.error)
+        elif found.fit is None:
+            self.say(translate("BistableAutoFit", "Stopped."))
+        else:
+            self.show_fit(found.fit)
+
+    def _explain(self, reason):
+        """Say what is wrong beside the field that it names first, else below."""
+        colour = error_colour(self.form)
+        named = re.match(r"\w+", reason)
+        if not (named and self.wishes.explain(reason, colour, named[0])):
+            self.say(reason, colour)
+
+    # proposals
+
+    def show_fit(self, fit):
+        """Show the proposals of a search, the recommended one chosen."""
+        self.fit, rows = fit, fit.candidates
+        self.table.blockSignals(True)
+        self.table.setRowCount(len(rows))
+        for number, candidate in enumerate(rows):
+            for column, text in enumerate(_cells(candidate)):
+                item = QtGui.QTableWidgetItem(text)
+                item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+                self.table.setItem(number, column, item)
+        self.table.resizeColumnsToContents()
+        self.table.setFixedHeight(_height_of(self.table))
+        self.table.blockSignals(False)
+        points = [(c.deviation, c.print_size[2]) for c in rows]
+        self.chart.set_points(points, [_sentence(c) for c in rows])
+        self._show_results(True)
+        self.choose(0)
+
+    def _row_chosen(self):
+        self.choose(self.table.currentRow())
+
+    def choose(self, number):
+        """Choose a proposal, counted from 0: it is told in full, and shown in the view."""
+        self.chosen = self.fit.candidates[number]
+        self.table.blockSignals(True)
+        self.table.selectRow(number)
+        self.table.blockSignals(False)
+        self.chart.choose({number})
+        self.details.setText(_sentence(self.chosen))
+        self._preview()
+
+    def _preview(self):
+        """Show the deployed faces of the chosen proposal instead of the tube that there is."""
+        self._hide_preview()
+        motion = FacesMotion(fitting.tube_of(self.chosen, self.course, self.fit.wanted))
+        motion.show(1.0)
+        hidden = [*self.units, *self.hinges]
+        if type_of(self.source) == TRIANGLES:
+            hidden.append(self.source)
+        view = Gui.getDocument(self.doc.Name).ActiveView
+        self._shown = Instead(view, motion.root, hidden)
+
+    def _hide_preview(self):
+        if self._shown:
+            self._shown.end()
+            self._shown = None
+
+    # applying
+
+    def _lines(self):
+        """What OK does, as lines of a macro: the missing objects are made, the others set."""
+        inputs = fitting.inputs_of(self.chosen, self.fit.wanted)
+        if type_of(self.source) == TRIANGLES:
+            yield f"triangles = {by_name(self.source)}"
+        else:
+            yield f"triangles = make.make_triangle_placement(doc, {by_name(self.source)})"
+        yield from _settings("triangles", inputs)
+        for unit in self.units or [None]:
+            made = by_name(unit) if unit else "make.make_bistable_unit(doc, triangles)"
+            yield f"unit = {made}"
+            yield from _settings("unit", inputs)
+        for hinges in self.hinges:
+            yield f"hinges = {by_name(hinges)}"
+            yield from _settings("hinges", inputs)
+            yield "make.make_solids(hinges)"
+
+
+class _Search:
+    """`origami.auto_fit` in a thread of its own; nothing of Qt or of the document is touched."""
+
+    def __init__(self, course, wanted):
+        self.fraction, self.fit, self.error, self._stopped = 0.0, None, "", False
+        self._thread = threading.Thread(target=self._work, args=(course, wanted), daemon=True)
+        self._thread.start()
+
+    def is_running(self):
+        return self._thread.is_alive()
+
+    def stop(self):
+        """End the search at its next step."""
+        self._stopped = True
+
+    def _work(self, course, wanted):
+        try:
+            self.fit = search.auto_fit(course, wanted, self._progress)
+        except _Stopped:
+            pass
+        except ValueError as error:
+            self.error = str(error)
+        except Exception as error:  # a thread that breaks must not leave the panel waiting
+            self.error = f"{type(error).__name__}: {error}"
+
+    def _progress(self, fraction, text):
+        if self._stopped:
+            raise _Stopped
+        self.fraction = fraction
+
+
+class _Stopped(Exception):
+    """The user does not want to wait any longer."""
+
+
+def _settings(which, inputs):
+    return [f"{which}.{name} = {value!r}" for name, value in inputs[which].items()]
+
+
+def _table():
+    heads = {
+        "‖AB‖": translate("BistableAutoFit", "Edge length, mm: the width of the tube"),
+        "γ": translate("BistableAutoFit", "Angle by which the first segment leans forward"),
+        "n": translate("BistableAutoFit", "Number of units"),
+        translate("BistableAutoFit", "snap"): translate(
+            "BistableAutoFit", "Smallest snap margin; below 1 is floppy"
+        ),
+        translate("BistableAutoFit", "strain"): translate(
+            "BistableAutoFit", "Largest strain where it snaps"
+        ),
+        translate("BistableAutoFit", "print, mm"): translate(
+            "BistableAutoFit", "Length, width and height of the flat-folded print"
+        ),
+        translate("BistableAutoFit", "off"): translate(
+            "BistableAutoFit", "Largest distance of the curve from the tube's blocks, mm"
+        ),
+        translate("BistableAutoFit", "ratio rule"): translate(
+            "BistableAutoFit", "How the ratio of every unit is chosen"
+        ),
+    }
+    table = QtGui.QTableWidget(0, len(heads))
+    table.setObjectName("Proposals")
+    for column, (head, tip) in enumerate(heads.items()):
+        item = QtGui.QTableWidgetItem(head)
+        item.setToolTip(tip)
+        table.setHorizontalHeaderItem(column, item)
+    table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+    table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
+    table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+    table.verticalHeader().setDefaultSectionSize(22)
+    table.setMinimumWidth(60)
+    table.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+    return table
+
+
+def _height_of(table):
+    """Height that shows every row, and a scroll bar below them."""
+    rows = sum(table.rowHeight(k) for k in range(table.rowCount()))
+    bar = table.horizontalScrollBar().sizeHint().height()
+    return table.horizontalHeader().sizeHint().height() + rows + bar + 4
+
+
+def _cells(candidate):
+    """A row of the table."""
+    return (
+        f"{candidate.edge_length:.0f}",
+        f"{degrees(candidate.gamma):.0f}°",
+        str(candidate.count),
+        f"{candidate.margin_min:.2f}",
+        f"{candidate.strain_max:.1%}",
+        _size(candidate),
+        f"{candidate.deviation:.1f}",
+        _rule(candidate),
+    )
+
+
+def _size(candidate):
+    return " × ".join(f"{x:.0f}" for x in candidate.print_size)
+
+
+def _rule(candidate):
+    name = translated(candidate.rule)
+    return name if candidate.share is None else f"{name} {candidate.share:.3g}"
+
+
+def _sentence(candidate):
+    """All of a candidate's numbers."""
+    text = translate(
+        "BistableAutoFit",
+        "{n} units, θ {low:.0f}° … {high:.0f}°, ratio rule {rule}: snap margin {margin:.2f} or "
+        "more (weakest: unit {weakest}), strain {strain:.1%} at most; print {size} mm; at most "
+        "{off:.1f} mm off the curve, {covered:.0%} of it followed.",
+    )
+    return text.format(
+        n=candidate.count,
+        low=degrees(candidate.thetas[0]),
+        high=degrees(candidate.thetas[1]),
+        rule=_rule(candidate),
+        margin=candidate.margin_min,
+        weakest=candidate.weakest,
+        strain=candidate.strain_max,
+        size=_size(candidate),
+        off=candidate.deviation,
+        covered=candidate.coverage,
+    )
