@@ -13,6 +13,10 @@ demo: ## a curve becomes a tube, and what prints it: into build/demo
 	@.ci/install demo
 	$(PYTHON) -m BistableWB.demo --out build/demo
 
+pictures: ## the pictures and the film of the README, anew
+	@.ci/install demo
+	$(PYTHON) -m BistableWB.demo --pictures resources/pictures
+
 test: install ## every test: fast, FreeCAD 0.20 · 1.0 · sid, in the window, lint
 	@.ci/test
 
@@ -55,5 +59,5 @@ $(RUFF): .ci/requirements.txt
 	@build/tools/bin/pip install -q --disable-pip-version-check -r .ci/requirements.txt
 	@touch $@
 
-.PHONY: help demo test test-fast test-freecad test-gui lint format bench clean install
+.PHONY: help demo pictures test test-fast test-freecad test-gui lint format bench clean install
 .DEFAULT_GOAL := help

@@ -2,8 +2,8 @@
 """``python3 -m BistableWB.demo --out build/demo``: the main job, headless, on the examples.
 
 Every design of ``resources/examples`` becomes a folder of files, and index.html shows them all.
-``--pictures resources/pictures`` makes the pictures of the README anew instead. Exit codes and
-streams as in `BistableWB.cli`.
+``--pictures resources/pictures`` makes the pictures and the film of the README anew instead. Exit
+codes and streams as in `BistableWB.cli`.
 """
 
 import argparse
@@ -23,6 +23,7 @@ _SUBTITLE = (
 # Picture of the README -> the example that it shows, and the name of the picture there.
 _README = {
     "tube.png": ("hinged-arch", "print"),
+    "deployment.gif": ("hinged-arch", "film"),
     "hinge.png": ("spherical-unit", "hinge"),
     "states.png": ("spherical-unit", "opening"),
 }
@@ -107,7 +108,8 @@ def _make_pictures(folder):
         for example in dict.fromkeys(example for example, _ in _README.values()):
             wanted = {name: file for file, (home, name) in _README.items() if home == example}
             for path in produce.pictures_of(read(EXAMPLES / f"{example}.toml"), folder, wanted):
-                _shrink(path)
+                if path.suffix == ".png":
+                    _shrink(path)
                 print(path, flush=True)
     except (DesignError, ValueError, OSError, pictures.NoMatplotlib) as error:
         print(error, file=sys.stderr)

@@ -6,7 +6,7 @@
     .ci/in-freecad host --script benchmarks/slicing.py DESIGN.toml [UNITS [TRIES]]
 
 The last one compares one design, of which only the first UNITS are printed (0: all), with it
-deployed in TRIES orientations. All of it takes half an hour, nearly all of it PrusaSlicer's.
+deployed in TRIES orientations. All of it takes twenty minutes, nearly all of it PrusaSlicer's.
 """
 
 import sys

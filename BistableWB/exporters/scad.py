@@ -15,7 +15,7 @@ from ..origami import plan, print_stack
 from ..origami.creases import LAYER_HEIGHT_IN_PITCHES, kind_of, layer_of
 from ..origami.hinge_parameters import FLEXIBLE
 from ..origami.hinge_plan import inward_of, link_section
-from ..solids.tessellation import Tessellator
+from ..solids.tessellation import shared
 from ..solids.tube import BLOCK_INSET, in_print_plan, tube_layouts
 from .scad_library import HEADER, HINGED, PLAIN
 
@@ -30,7 +30,7 @@ def write(bodies, path):
     if len(sources) == 1 and _has_knuckles(sources[0]):
         text += _Hinged(sources[0]).text()
     else:
-        mesher = Tessellator()
+        mesher = shared()
         parts = [_polyhedron(name, s, mesher) for body in bodies for name, s in _solids(body)]
         text += PLAIN + "\n".join(parts)
     path.write_text(text + "\n", encoding="utf-8")

@@ -4,14 +4,14 @@
 import numpy as np
 
 from .. import __version__
-from ..solids.tessellation import ANGULAR_DEFLECTION, LINEAR_DEFLECTION, Tessellator
+from ..solids.tessellation import ANGULAR_DEFLECTION, LINEAR_DEFLECTION, shared
 
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
 def write(bodies, path, linear_deflection=LINEAR_DEFLECTION, angular_deflection=ANGULAR_DEFLECTION):
     """Write ``bodies``. Curved faces become triangles within the deflections (mm, radians)."""
-    tessellator = Tessellator(linear_deflection, angular_deflection)
+    tessellator = shared(linear_deflection, angular_deflection)
     write_meshes([tessellator.mesh(body.shape) for body in bodies], path)
 
 

@@ -7,6 +7,7 @@ and return its path.
 """
 
 from .charts import angle_chart
+from .film import deployment
 from .hinge import hinge_detail
 from .page import NoMatplotlib, require
 from .plan import top_view
@@ -18,6 +19,7 @@ __all__ = [
     "NoMatplotlib",
     "angle_chart",
     "both_states",
+    "deployment",
     "energy_chart",
     "fit_chart",
     "hinge_detail",

@@ -117,7 +117,7 @@ def _draw(path, view, groups, beds, texts, kinds, widest=_WIDTH):
     low, high = stage.box(everything)
     reach = high[2] - low[2] + 20
     ground = Ground(low[:2] - reach, high[:2] + reach, -0.05)
-    frame = _frame(view, everything, beds)
+    frame = frame_of(view, everything, beds)
     extent = frame[1] - frame[0]
     per_mm = min(widest / extent[0], (_TALLEST - _FOOT - _HEAD) / extent[1])
     image, seen = render_solids(view, everything, per_mm * DPI, [*beds, ground], frame=frame)
@@ -135,7 +135,7 @@ def _draw(path, view, groups, beds, texts, kinds, widest=_WIDTH):
         scale_bar(axes, corner, round_length(0.12 * widest / per_mm))
 
 
-def _frame(view, things, beds):
+def frame_of(view, things, beds):
     """Lower left and upper right corner (2, 2) of the picture, mm of the view."""
     points = [view.seen(thing.corners.reshape(-1, 3))[:, :2] for thing in things]
     points.append(view.seen(shadow_points(view, things, 0.0))[:, :2])

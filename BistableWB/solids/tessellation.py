@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shapes to triangle meshes. Bodies that are moved or mirrored copies are meshed once."""
 
-from math import isclose, pi
+from dataclasses import dataclass
+from functools import lru_cache
+from math import pi
 
 import MeshPart
 import numpy as np
@@ -9,11 +11,28 @@ import Part
 
 from .mesh import Mesh, PlacedMesh, joined, unpaired_edges
 
-LINEAR_DEFLECTION = 0.05  # mm
-ANGULAR_DEFLECTION = 0.3  # radians
+# The kernel makes edges twice as fine as it is asked: chords of round edges stay within 0.01 mm,
+# half of what the checks allow a clearance to lose, and a circle has at least eight of them.
+LINEAR_DEFLECTION = 0.02  # mm
+ANGULAR_DEFLECTION = 1.6  # radians
+VIEW = 0.5, 1.6  # coarse: it is drawn many times a second
 _SAME = 1e5  # corners are the same within a part of a mm
+_REMEMBERED = 1500  # bodies, some tubes' worth; then all are forgotten
 # Copies in a tube are mirrored up-down or left-right in the frame they were built in.
 _MIRRORS = [np.diag([1.0, up, along]) for up in (1.0, -1.0) for along in (1.0, -1.0)]
+_TURN, _ALIKE = 2 * pi, 1e-4  # angles (radians) that are the same
+
+
+@dataclass(frozen=True, eq=False)
+class Meshed:
+    """``mesh``, and the number (t,) of the face of the shape that each of its triangles lies on.
+
+    ``cones``: numbers of the faces that are cones.
+    """
+
+    mesh: Mesh
+    faces: np.ndarray
+    cones: np.ndarray
 
 
 class Tessellator:
@@ -24,7 +43,13 @@ class Tessellator:
 
     def __init__(self, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
         self.linear, self.angular = linear, angular
-        self._known = {}
+        self.forget()
+
+    def forget(self):
+        """Empty the memory."""
+        self._known = {}  # fingerprint -> (`Meshed`, middle, mirror)
+        self._bodies = {}  # number of faces -> [(body, its `Meshed`, matrix)]
+        self._count = 0
 
     def mesh(self, shape):
         """Closed `Mesh` of a solid in the frame in which the shape stands."""
@@ -33,26 +58,54 @@ class Tessellator:
 
     def original(self, shape):
         """The `Mesh` (shared by copies) whose image this shape's is, and the matrix (4, 4)."""
+        meshed, matrix = self.meshed(shape)
+        return meshed.mesh, matrix
+
+    def meshed(self, shape):
+        """`original` with the faces that the triangles lie on: a `Meshed` and the matrix."""
         place = np.array(shape.Placement.toMatrix().A).reshape(4, 4)
         own = Part.Shape(shape)
         own.Placement = type(shape.Placement)()
+        found, between = self._of(own)
+        return found, place @ between
+
+    def _of(self, own):
+        """(`Meshed`, matrix) of a body without its placement; one that was here is found fast."""
+        alike = self._bodies.setdefault(own.countElement("Face"), [])
+        for body, found, matrix in alike:
+            if body.isPartner(own) and body.Orientation == own.Orientation:
+                return found, matrix
+        if self._count == _REMEMBERED:
+            self.forget()
+            return self._of(own)
+        self._count += 1
+        alike.append((own, *self._find(own)))
+        return alike[-1][1:]
+
+    def _find(self, own):
         key, middle, mirror = _fingerprint(own)
-        alike = self._known.setdefault(key, [])
-        volume = own.Volume
-        known = next((k for k in alike if isclose(k[0], volume, rel_tol=1e-6)), None)
-        if known is None:
-            known = volume, mesh_of(own, self.linear, self.angular), middle, mirror
-            alike.append(known)
-        _, mesh, its_middle, its_mirror = known
+        if key not in self._known:
+            self._known[key] = meshed_of(own, self.linear, self.angular), middle, mirror
+        found, its_middle, its_mirror = self._known[key]
         between = np.eye(4)
         between[:3, :3] = mirror @ its_mirror  # mirrors are their own inverse
         between[:3, 3] = middle - between[:3, :3] @ its_middle
-        return mesh, place @ between
+        return found, between
+
+
+@lru_cache(maxsize=3)
+def _shared(linear, angular):
+    return Tessellator(linear, angular)
+
+
+def shared(linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
+    """The `Tessellator` that view, checks and files have in common: a body is meshed once."""
+    return _shared(linear, angular)
 
 
 def placed_meshes(bodies, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
     """`PlacedMesh` of every body, of which only name and shape are needed."""
-    tessellator = Tessellator(linear, angular)
+    tessellator = shared(linear, angular)
     return [
         PlacedMesh(
             body.name,
@@ -66,29 +119,50 @@ def placed_meshes(bodies, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
 
 
 def mesh_of(shape, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
-    """Closed `Mesh` of one shape, deflections in mm and radians.
+    """Closed `Mesh` of one shape, deflections in mm and radians: see `meshed_of`."""
+    return meshed_of(shape, linear, angular).mesh
+
+
+def meshed_of(shape, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
+    """`Meshed` of one shape, deflections in mm and radians.
 
     Solids of a compound stay apart also where they touch. The kernel covers a cone with hundreds of
     points where a strip of triangles is as good: cones are left out and filled between their rims.
     """
     solids = shape.Solids
     if len(solids) > 1:
-        return joined([mesh_of(solid, linear, angular) for solid in solids])
-    faces = shape.Faces
-    cones = [face for face in faces if isinstance(face.Surface, Part.Cone)]
-    if cones:
-        others = Part.makeCompound([f for f in faces if not isinstance(f.Surface, Part.Cone)])
-        mesh = _with_strips(_from_kernel(others, linear, angular), cones)
-        if mesh is not None:
-            return mesh
-    return _from_kernel(shape, linear, angular)
+        parts = [meshed_of(solid, linear, angular) for solid in solids]
+        first = np.cumsum([0, *(solid.countElement("Face") for solid in solids)])[:-1]
+        faces, cones = (
+            np.concatenate([getattr(p, what) + k for p, k in zip(parts, first, strict=True)])
+            for what in ("faces", "cones")
+        )
+        return Meshed(joined([part.mesh for part in parts]), faces, cones)
+    every = shape.Faces
+    is_cone = np.array([isinstance(face.Surface, Part.Cone) for face in every], bool)
+    cones = np.flatnonzero(is_cone)
+    if len(cones):
+        kept = np.flatnonzero(~is_cone)
+        others, faces = _from_kernel(Part.makeCompound([every[k] for k in kept]), linear, angular)
+        closed = _with_strips(others, [every[k] for k in cones])
+        if closed is not None:
+            mesh, strips = closed
+            return Meshed(mesh, np.concatenate([kept[faces], cones[strips]]), cones)
+    return Meshed(*_from_kernel(shape, linear, angular), cones)
 
 
 def _from_kernel(shape, linear, angular):
-    mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=linear, AngularDeflection=angular)
+    """`Mesh` and the face (t,) that each of its triangles lies on."""
+    mesh = MeshPart.meshFromShape(
+        Shape=shape, LinearDeflection=linear, AngularDeflection=angular, Segments=True
+    )
     mesh.removeDuplicatedPoints()
     points, triangles = mesh.Topology
-    return Mesh(np.array(points, float).reshape(-1, 3), np.array(triangles, int).reshape(-1, 3))
+    faces = np.zeros(len(triangles), int)
+    for number in range(mesh.countSegments()):
+        faces[mesh.getSegment(number)] = number
+    vertices = np.array([tuple(point) for point in points], float).reshape(-1, 3)
+    return Mesh(vertices, np.array(triangles, int).reshape(-1, 3)), faces
 
 
 def _fingerprint(shape):
@@ -96,8 +170,11 @@ def _fingerprint(shape):
 
     The copy is the image of the points that the key stands for under mirror and shift to middle.
     """
-    points = np.array([tuple(v.Point) for v in shape.Vertexes])
-    middle = (points.min(0) + points.max(0)) / 2
+    points = [tuple(v.Point) for v in shape.Vertexes]
+    corners = len(points)
+    points += [tuple(e.valueAt((e.FirstParameter + e.LastParameter) / 2)) for e in shape.Edges]
+    points = np.array(points)
+    middle = (points[:corners].min(0) + points[:corners].max(0)) / 2
     candidates = []
     for mirror in _MIRRORS:
         whole = np.rint((points - middle) @ mirror * _SAME).astype(np.int64)
@@ -107,57 +184,23 @@ def _fingerprint(shape):
 
 
 def _with_strips(mesh, cones):
-    """The mesh with a strip of triangles for each cone between its rims; None where they differ."""
-    rims = _rims(mesh)
-    strips = [mesh.triangles]
-    for face in cones:
-        found = [_rim_at(rims, centre, radius) for centre, radius in _circles(face)]
-        if len(found) != 2 or any(rim is None for rim in found):
-            return None
-        strips += _strip(mesh.vertices, found[0], found[1][::-1])
-    whole = Mesh(mesh.vertices, np.concatenate(strips))
-    return None if len(unpaired_edges(whole.triangles)) else whole
+    """The mesh with a strip of triangles for each cone between its rims, and the strips' cones.
 
-
-def _strip(vertices, first, second):
-    """Triangles between two coaxial rims that run the same way round, by the angle of their points.
-
-    At every point of a rim, its edge up to there is joined to where the other rim has got to.
+    The latter (t,) are numbers in ``cones``, for the triangles added. None where rims do not fit.
     """
-    points = vertices[first]
-    arms = points - points.mean(0)
-    axis = np.cross(arms, np.roll(arms, -1, 0)).sum(0)
-    axis /= np.linalg.norm(axis)
-    start, across = arms[0], np.cross(axis, arms[0])
-    turns = []
-    for rim in (first, second):
-        arms = vertices[rim] - vertices[rim].mean(0)
-        angles = np.arctan2(arms @ across, arms @ start) % (2 * pi)
-        angles[angles > 2 * pi - 1e-4] = 0.0
-        turns.append(angles)
-    second = np.roll(second, -turns[1].argmin())
-    turns[1] = np.roll(turns[1], -turns[1].argmin())
-    ends = [np.append(angles[1:], 2 * pi + angles[0]) for angles in turns]
-    beside = np.searchsorted(ends[1], ends[0] - 1e-4) % len(second)
-    onto = np.searchsorted(ends[0], ends[1] + 1e-4, side="right") % len(first)
-    return [
-        np.stack([np.roll(first, -1), first, second[beside]], 1),
-        np.stack([first[onto], second, np.roll(second, -1)], 1),
-    ]
-
-
-def _circles(face):
-    """Centre and radius of the rims of a cone, each rim once (it may be made of arcs)."""
-    found = {}
-    for edge in face.Edges:
-        curve = edge.Curve
-        if isinstance(curve, Part.Circle):
-            found.setdefault(tuple(round(x, 4) for x in curve.Center), curve.Radius)
-    return list(found.items())
+    rims = _rims(mesh)
+    pairs = _rims_of(cones, rims, mesh.vertices)
+    if pairs is None:
+        return None
+    first = _Rims([rims[a] for a, _ in pairs], mesh.vertices)
+    second = _Rims([rims[b][::-1] for _, b in pairs], mesh.vertices)
+    strips, which = _strips(first, second)
+    whole = Mesh(mesh.vertices, np.concatenate([mesh.triangles, strips]))
+    return None if len(unpaired_edges(whole.triangles)) else (whole, which)
 
 
 def _rims(mesh):
-    """Open borders of a mesh: (centres (n, 3), radii (n,), loops), each loop along its edges."""
+    """Open borders of a mesh as loops (n,) of vertices, each along its edges."""
     following = dict(unpaired_edges(mesh.triangles).tolist())
     loops = []
     while following:
@@ -167,18 +210,82 @@ def _rims(mesh):
             loop.append(at)
             at = following.pop(at)
         loops.append(np.array(loop))
-    middles = [mesh.vertices[loop].mean(0) for loop in loops]
-    radii = [
-        np.linalg.norm(mesh.vertices[loop] - m, axis=1).max()
-        for loop, m in zip(loops, middles, strict=True)
-    ]
-    return np.array(middles).reshape(-1, 3), np.array(radii), loops
+    return loops
 
 
-def _rim_at(rims, centre, radius):
-    middles, radii, loops = rims
-    if not loops:
+def _rims_of(cones, rims, vertices):
+    """Numbers (c, 2) of the two rims of every cone; None where one has not two."""
+    circles = [_circles(face) for face in cones]
+    if not rims or any(len(found) != 2 for found in circles):
         return None
-    off = np.linalg.norm(middles - centre, axis=1) + np.abs(radii - radius)
-    best = off.argmin()
-    return loops[best] if off[best] < 0.05 * radius else None
+    there, wanted = _Rims(rims, vertices), np.array(circles, float).reshape(-1, 4)
+    off = np.linalg.norm(wanted[:, None, :3] - there.middles, axis=2)
+    off += np.abs(wanted[:, 3:] - there.radii)
+    best = off.argmin(1)
+    if (off[np.arange(len(best)), best] > 0.05 * wanted[:, 3]).any():
+        return None
+    return best.reshape(-1, 2)
+
+
+def _circles(face):
+    """(x, y, z, radius) of the rims of a cone, each rim once (it may be made of arcs)."""
+    found = {}
+    for edge in face.Edges:
+        curve = edge.Curve
+        if isinstance(curve, Part.Circle):
+            centre = tuple(curve.Center)
+            found.setdefault(tuple(round(x, 4) for x in centre), (*centre, curve.Radius))
+    return list(found.values())
+
+
+class _Rims:
+    """Loops of vertices, joined: ``points`` their numbers (p,), ``loop`` which loop each is in."""
+
+    def __init__(self, loops, vertices):
+        counts = np.array([len(loop) for loop in loops])
+        self.points, self.loop = np.concatenate(loops), np.repeat(np.arange(len(loops)), counts)
+        self.start = np.cumsum(counts) - counts
+        self.next = np.arange(len(self.points)) + 1
+        self.next[self.start + counts - 1] = self.start
+        places = vertices[self.points]
+        self.middles = np.add.reduceat(places, self.start) / counts[:, None]
+        self.arms = places - self.middles[self.loop]
+        self.radii = np.maximum.reduceat(np.linalg.norm(self.arms, axis=1), self.start)
+
+    def frames(self):
+        """Two directions (loops, 3) in the plane of every loop, the second a quarter turn on."""
+        axes = np.add.reduceat(np.cross(self.arms, self.arms[self.next]), self.start)
+        axes /= np.linalg.norm(axes, axis=1, keepdims=True)
+        first = self.arms[self.start]
+        return first, np.cross(axes, first)
+
+    def sorted_by_turn(self, frames):
+        """Vertices (p,) of every loop by their angle in its frame, and where the next one stands.
+
+        The latter (p,) is in radians, three turns further on for every loop.
+        """
+        along, across = (np.einsum("ij,ij->i", self.arms, axis[self.loop]) for axis in frames)
+        turns = np.arctan2(across, along) % _TURN
+        turns[turns > _TURN - _ALIKE] = 0.0
+        order = np.lexsort((turns, self.loop))
+        ends = turns[order][self.next] + _TURN * (self.next <= np.arange(len(order)))
+        return self.points[order], ends + 3 * _TURN * self.loop
+
+
+def _strips(first, second):
+    """Triangles between coaxial `_Rims` that run the same way round, and their pair's number.
+
+    At every point of a rim, its edge up to there is joined to where the other rim has got to.
+    """
+    frames = first.frames()
+    (a, a_ends), (b, b_ends) = (rims.sorted_by_turn(frames) for rims in (first, second))
+    beside = np.searchsorted(b_ends, a_ends - _ALIKE)
+    onto = np.searchsorted(a_ends, b_ends + _ALIKE, side="right")
+    for at, here, there in ((beside, first, second), (onto, second, first)):
+        stops = np.append(there.start[1:], len(there.points))[here.loop]
+        at[at == stops] = there.start[here.loop[at == stops]]
+    triangles = [
+        np.stack([a[first.next], a, b[beside]], 1),
+        np.stack([a[onto], b, b[second.next]], 1),
+    ]
+    return np.concatenate(triangles), np.concatenate([first.loop, second.loop])

@@ -80,10 +80,17 @@ class Recorder:
         text = written.format(len(self._files), self.target)
         if has_pillow():
             path = self.target / f"{self.panel.obj.Label}.gif"
-            write_gif(self._files, path)
+            self._write_film(path)
             text += " " + translate("BistableDeploy", "The film is {}.").format(path.name)
         self.state.setText(text)
         self.button.setEnabled(True)
+
+    def _write_film(self, path):
+        from PIL import Image
+
+        from ..pictures.film import write_gif
+
+        write_gif([Image.open(file) for file in self._files], path, _PAUSE)
 
     def _label(self):
         if has_pillow():
@@ -100,12 +107,3 @@ class Recorder:
 def has_pillow():
     """Whether GIFs can be written."""
     return importlib.util.find_spec("PIL") is not None
-
-
-def write_gif(paths, target):
-    """A film of PNG pictures, there and back, for ever."""
-    from PIL import Image
-
-    frames = [Image.open(path).convert("P", palette=Image.ADAPTIVE, colors=64) for path in paths]
-    film = [*frames, *frames[-2:0:-1]]
-    film[0].save(target, save_all=True, append_images=film[1:], duration=_PAUSE, loop=0)

@@ -33,7 +33,7 @@ def attach_missing(obj):
     if view_object is None or isinstance(view_object.Proxy, BistableView):  # FreeCAD: 1 for none
         return False
     attach(view_object, obj.BistableType)
-    view_object.Proxy.updateData(obj, "Shape")
+    view_object.Proxy.refresh(obj)
     _show_soon(obj)
     return True
 

@@ -27,7 +27,12 @@ class BistableView:
         self.ViewObject = view_object
 
     def updateData(self, obj, name):
-        """Follow a change of the object; nothing to do here."""
+        """Follow a change of the object, once attached: FreeCAD may tell of it before."""
+        if name == "Shape" and hasattr(self, "ViewObject"):
+            self.refresh(obj)
+
+    def refresh(self, obj):
+        """Follow the object's shape; nothing to do here."""
 
     def onChanged(self, view_object, name):
         """Follow a change of a view property; nothing to do here."""

@@ -15,15 +15,17 @@ class ColouredView(BistableView):
     Subclasses give ``wanted_colours(obj)``: RGB of every face, an empty list for none yet.
     """
 
+    def count(self, obj):
+        """How many colours there are: faces of the shape."""
+        return obj.Shape.countElement("Face")
+
     def wanted_colours(self, obj):
         """RGB in 0…1 of every face of the object's shape, in their order."""
         raise NotImplementedError
 
-    def updateData(self, obj, name):
+    def refresh(self, obj):
         """Colour anew when the number of faces has changed."""
-        if name != "Shape":
-            return
-        count = obj.Shape.countElement("Face")
+        count = self.count(obj)
         if count and len(faces.face_colours(obj.ViewObject)) != count:
             wanted = self.wanted_colours(obj)
             if len(wanted) == count:

@@ -26,12 +26,10 @@ class LinesView(BistableView):
         self.switch = _overlay(self.OVERLAY, self.points, self.lines)
         view_object.RootNode.addChild(self.switch)
         self.onChanged(view_object, "Visibility")
-        self.updateData(view_object.Object, "Shape")
+        self.refresh(view_object.Object)
 
-    def updateData(self, obj, name):
+    def refresh(self, obj):
         """Let the copy follow the shape."""
-        if name != "Shape" or not hasattr(self, "switch"):
-            return
         shape = obj.Shape.copy()
         if shape.isNull():
             return

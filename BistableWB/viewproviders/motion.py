@@ -5,9 +5,7 @@ A motion has ``root`` (the node to show), ``show(opening)`` and ``colour_by(what
 `COLOURS`; nothing of it touches the document.
 """
 
-import MeshPart
 import numpy as np
-import Part
 from pivy import coin
 
 from .. import colours
@@ -15,32 +13,38 @@ from ..objects import type_of
 from ..objects.base import global_placement
 from ..objects.bistable_unit import tube_of
 from ..origami.creases import BODIES, CREASES, INDEX, PANELS, kind_of
-from ..origami.deployment import misfit
+from ..origami.deployment import misfit, panel_strains
+from ..origami.snap import PLA_STRAIN
 from . import settings
 from .bodies import body_colour
+from .body_nodes import BodyNodes, meshed, sb_matrix
 
-COLOURS = ("panels", "misfit")
+COLOURS = ("panels", "misfit", "strain")
 _STEPS = 240  # openings that are computed; between them the vertices go straight
 _COOL, _WARM = np.array(colours.rgb("#DCE6EE")), np.array(colours.rgb("#C2185B"))
-_MESH = {"LinearDeflection": 0.5, "AngularDeflection": 1.2}  # coarse: it moves
 
 
 def motion_of(obj):
     """The motion of a BistableUnit or a HingeSet; ValueError where it cannot be computed."""
-    return BodiesMotion(obj) if type_of(obj) == "Bistable::HingeSet" else FacesMotion(obj)
+    if type_of(obj) == "Bistable::HingeSet":
+        return BodiesMotion(obj)
+    return FacesMotion(tube_of(obj), global_placement(obj) if obj.Triangles is None else None)
 
 
 class FacesMotion:
-    """Twelve faces a unit; one array of vertices is exchanged for every state."""
+    """Twelve faces a unit of a `Tube`; one array of vertices is exchanged for every state.
 
-    def __init__(self, obj):
-        self.tube = tube_of(obj)
+    ``placement``: where a tube that is not in global coordinates stands.
+    """
+
+    def __init__(self, tube, placement=None):
+        self.tube = tube
         self._states = {}
         self._by, self._opening = "panels", 0.0
         self._lengths = None
         self.root = coin.SoSeparator()
-        if obj.Triangles is None:
-            self.root.addChild(_matrix_node(_matrix(global_placement(obj))))
+        if placement is not None:
+            self.root.addChild(_matrix_node(_matrix(placement)))
         self.coordinates, self.material = coin.SoCoordinate3(), coin.SoMaterial()
         self._add_faces()
         self.misfit_limit = self._largest_misfit()
@@ -50,7 +54,7 @@ class FacesMotion:
         self._opening = opening
         points = self.state(opening).reshape(-1, 3)
         self.coordinates.point.setValues(0, len(points), points.tolist())
-        if self._by == "misfit":
+        if self._by != "panels":
             self._colour()
 
     def state(self, opening):
@@ -65,13 +69,17 @@ class FacesMotion:
         return (1 - share) * self._known(low) + share * self._known(low + 1)
 
     def colour_by(self, what):
-        """Colour by kind of panel, or by the unit's misfit at this opening."""
+        """Colour by kind of panel, by the unit's misfit or by the panel's strain as it is open."""
         self._by = what
         self._colour()
 
     def misfit(self, opening):
         """Largest change of length in every unit, mm: (n,)."""
         return misfit(self.tube.unit, self.state(opening))
+
+    def strain(self, opening):
+        """Largest relative change of length in every panel: (n, 12)."""
+        return panel_strains(self.tube.unit, self.state(opening))
 
     def _known(self, step):
         if step not in self._states:
@@ -84,9 +92,11 @@ class FacesMotion:
     def _colour(self):
         if self._by == "panels":
             wanted = [settings.panel_colour(kind_of(panel)) for panel in PANELS] * len(self.tube)
-        else:
+        elif self._by == "misfit":
             shares = self.misfit(self._opening) / self.misfit_limit
             wanted = np.repeat(_blend(shares), len(PANELS), axis=0).tolist()
+        else:
+            wanted = _blend(self.strain(self._opening).ravel() / PLA_STRAIN).tolist()
         self.material.diffuseColor.setNum(len(wanted))
         self.material.diffuseColor.setValues(0, len(wanted), wanted)
 
@@ -120,30 +130,33 @@ class BodiesMotion:
         self._motions = {}
         self.root = coin.SoSeparator()
         self.root.addChild(_matrix_node(_matrix(global_placement(obj))))
-        self.root.addChild(_two_sided())
-        self.transforms, self.materials = [], []
-        meshes = {}
-        for number, body in enumerate(self.model.bodies):
-            self.root.addChild(self._body_node(body, number, meshes))
+        self.nodes = BodyNodes(fast=True)
+        self.nodes.show([meshed(body.shape) for body in self.model.bodies])
+        self.root.addChild(self.nodes.faces)
+        self._colour()
         self.misfit_limit = max(float(self._hinges(k / 8).max()) for k in range(9)) or 1.0
 
     def show(self, opening):
         """Bring all bodies to ``opening``."""
         self._opening = opening
-        for transform, motion in zip(self.transforms, self._known(opening), strict=True):
+        for transform, motion in zip(self.nodes.transforms, self._known(opening), strict=True):
             if motion is not None:
-                transform.matrix = coin.SbMatrix(*motion)
-        if self._by == "misfit":
+                transform.matrix = motion
+        if self._by != "panels":
             self._colour()
 
     def colour_by(self, what):
-        """Colour by kind of panel, or by the misfit of a body's worst hinge."""
+        """Colour by kind of panel, or by the misfit of a body's worst hinge or its strain by it."""
         self._by = what
         self._colour()
 
     def misfit(self, opening):
         """Largest misfit of the hinges of every unit, mm: (n,)."""
         return self._hinges(opening).max(1)
+
+    def strain(self, opening):
+        """Largest strain of every unit, by its hinges' misfit over ‖AB‖ (`snap.assess`): (n,)."""
+        return self.misfit(opening) / self.tube.unit.edge_length
 
     def _hinges(self, opening):
         return self.model.tube.thick.misfit(opening).reshape(len(self.tube), -1)
@@ -152,18 +165,18 @@ class BodiesMotion:
         step = round(opening * _STEPS)
         if step not in self._motions:
             self._motions[step] = [
-                None if motion is None else motion.T.ravel().tolist()
+                None if motion is None else sb_matrix(motion)
                 for motion in self.model.motions(step / _STEPS)
             ]
         return self._motions[step]
 
     def _colour(self):
         wanted = [body_colour(body.name, k) for k, body in enumerate(self.model.bodies)]
-        if self._by == "misfit":
-            own = self._body_misfits()
-            wanted = _blend(np.array(own) / self.misfit_limit).tolist()
-        for material, colour in zip(self.materials, wanted, strict=True):
-            material.diffuseColor.setValue(*colour)
+        if self._by != "panels":
+            full = PLA_STRAIN * self.tube.unit.edge_length
+            full = self.misfit_limit if self._by == "misfit" else full
+            wanted = _blend(np.array(self._body_misfits()) / full).tolist()
+        self.nodes.colour(wanted)
 
     def _body_misfits(self):
         hinges = self._hinges(self._opening)
@@ -176,35 +189,6 @@ class BodiesMotion:
             max((worst[k, BODIES.index(name)] for k, name in body.members), default=0.0)
             for body in self.model.bodies
         ]
-
-    def _body_node(self, body, number, meshes):
-        node, transform, material = coin.SoSeparator(), coin.SoMatrixTransform(), coin.SoMaterial()
-        material.diffuseColor.setValue(*body_colour(body.name, number))
-        material.specularColor.setValue(0.1, 0.1, 0.1)
-        self.transforms.append(transform)
-        self.materials.append(material)
-        own = Part.Shape(body.shape)
-        own.Placement = type(own.Placement)()
-        key = next((known for known in meshes if known.isPartner(own)), own)
-        if key not in meshes:
-            meshes[key] = _mesh_node(own)
-        for part in (transform, material, _matrix_node(_matrix(body.shape.Placement)), meshes[key]):
-            node.addChild(part)
-        return node
-
-
-def _mesh_node(shape):
-    """Coarse triangles of a solid, without the cones, which are hidden inside the hinges."""
-    seen = [face for face in shape.Faces if not isinstance(face.Surface, Part.Cone)]
-    mesh = MeshPart.meshFromShape(Shape=Part.makeCompound(seen), **_MESH)
-    points, triangles = mesh.Topology
-    node, coordinates, faces = coin.SoSeparator(), coin.SoCoordinate3(), coin.SoIndexedFaceSet()
-    indices = np.pad(np.array(triangles), ((0, 0), (0, 1)), constant_values=-1).ravel().tolist()
-    coordinates.point.setValues(0, len(points), [tuple(p) for p in points])
-    faces.coordIndex.setValues(0, len(indices), indices)
-    node.addChild(coordinates)
-    node.addChild(faces)
-    return node
 
 
 def _blend(shares):
@@ -242,5 +226,5 @@ def _matrix(placement):
 
 def _matrix_node(matrix):
     node = coin.SoMatrixTransform()
-    node.matrix = coin.SbMatrix(*matrix.T.ravel().tolist())
+    node.matrix = sb_matrix(matrix)
     return node

@@ -44,6 +44,28 @@ def pivot():
     return chosen if chosen in PIVOTS else PIVOTS[0]
 
 
+def bed():
+    """Room of the printer (x, y, z), mm."""
+    return tuple(number(f"Bed{side}") for side in ("Width", "Depth", "Height"))
+
+
+def hinge():
+    """`HingeParameters` of new hinges."""
+    return HingeParameters(
+        pivot=pivot(),
+        nozzle_diameter=number("NozzleDiameter"),
+        layer_height=number("LayerHeight"),
+        face_thickness=number("FaceThickness"),
+        gap_length=number("GapLength"),
+        gap_between_planes=number("GapBetweenPlanes"),
+    )
+
+
+def bed_line(variable):
+    """Line of a macro that tells the HingeSet in ``variable`` the room of the printer."""
+    return f"{variable}.Bed = App.Vector{tuple(round(x, 6) for x in bed())!r}"
+
+
 def hinge_lines(variable):
     """Lines of a macro that give the hinge in ``variable`` what differs from its defaults."""
     lines = []

@@ -141,13 +141,27 @@ def test_an_error_of_a_check_is_a_failure(tmp_path, monkeypatch, capsys):
     from BistableWB.checks import ERROR, Finding
 
     bad = Finding(ERROR, "overlap", ("a", "b"), 1.0, 0.0, "a runs into b.", "move it")
-    monkeypatch.setattr(hinged.HingedTube, "_findings", lambda self: [bad])
+    monkeypatch.setattr(hinged, "_found", lambda *_: [bad])
     path = tmp_path / "bad.toml"
     path.write_text(UNIT + "[output]\npictures = false\nformats = []\n")
     assert cli.main([str(path), "--out", str(tmp_path / "out")]) == 1
     assert "a runs into b: move it." in capsys.readouterr().err
     report = (tmp_path / "out/bad/report.html").read_text(encoding="utf-8")
     assert '<li class="error">a runs into b: move it.</li>' in report
+
+
+def test_openscad_is_asked_where_a_design_wants_it(tmp_path, monkeypatch, capsys):
+    from BistableWB import openscad
+    from BistableWB.checks import ERROR, Finding
+
+    bad = Finding(ERROR, "openscad", (), None, None, "OpenSCAD finds 14 bodies.", "look")
+    asked = []
+    monkeypatch.setattr(openscad, "check", lambda meshes: asked.append(len(meshes)) or [bad])
+    path = tmp_path / "asked.toml"
+    path.write_text(UNIT + "[output]\npictures = false\nformats = []\nopenscad = true\n")
+    assert cli.main([str(path), "--out", str(tmp_path / "out")]) == 1
+    assert asked == [15]
+    assert "OpenSCAD finds 14 bodies: look." in capsys.readouterr().err
 
 
 def test_the_spherical_example_snaps(doc):

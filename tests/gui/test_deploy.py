@@ -160,6 +160,15 @@ def test_misfit_is_coloured(gui, opened, screenshot):
     assert 1 <= len(colours) <= 12
     assert "misfit up to" in panel.text.text()
     screenshot("deploy-misfit")
+    panel.colours.setCurrentIndex(2)
+    strained = [tuple(c) for c in panel.motion.material.diffuseColor.getValues()]
+    assert len(strained) == 12 * 12
+    assert len(set(strained)) > 20  # panel by panel
+    assert "strain up to" in panel.text.text()
+    screenshot("deploy-strain")
+    panel.set_opening(1)
+    relaxed = {tuple(c) for c in panel.motion.material.diffuseColor.getValues()}
+    assert len({tuple(np.round(c, 4)) for c in relaxed}) == 1  # both stable states are free of it
     panel.colours.setCurrentIndex(0)
     assert len({tuple(c) for c in panel.motion.material.diffuseColor.getValues()}) == 4
 
@@ -202,8 +211,12 @@ def test_thick_bodies_move(gui, opened, screenshot, capsys):
     panel.set_opening(0.5)
     screenshot("deploy-bodies")
     model = hinges.Proxy.model(hinges)
-    drawn = np.array(panel.motion.transforms[20].matrix.getValue().getValue()).T
+    drawn = np.array(panel.motion.nodes.transforms[20].matrix.getValue().getValue()).T
     assert drawn == pytest.approx(model.motions(0.5)[20], abs=1e-4)
     panel.colours.setCurrentIndex(1)
     assert "mm" in panel.text.text()
     screenshot("deploy-bodies-misfit")
+    panel.colours.setCurrentIndex(2)
+    known = max(panel.motion.strain(k / 20).max() for k in range(21))
+    assert known == pytest.approx(max(model.snap.strain), rel=0.05)
+    screenshot("deploy-bodies-strain")

@@ -2,13 +2,16 @@
 """German: complete, up to date, and what the window shows."""
 
 import importlib.util
+import re
+from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 from PySide import QtCore, QtGui
 
-from BistableWB import TRANSLATIONS, make
+from BistableWB import RESOURCES, TRANSLATIONS, make
+from BistableWB.commands import COMMANDS, files
 
 
 @pytest.fixture(scope="module")
@@ -50,10 +53,36 @@ def test_placeholders_survive_translation(update):
         assert text.count("{") == german.count("{"), text
 
 
+def outline(path):
+    """What a page is made of: headings, steps, tables, pictures, links."""
+    text = path.read_text(encoding="utf-8")
+    marks = re.findall(r"^#+|^\d\.|^\||!\[|\]\([\w-]+\.md\)", text, re.MULTILINE)
+    return marks, sorted(Path(p).name for p in re.findall(r"\]\((.+?)\)", text))
+
+
+@pytest.mark.parametrize("name", ["index.md", "first-tube.md"])
+def test_a_german_page_has_all_that_the_english_one_has(update, name):
+    english, german = RESOURCES / "help" / name, RESOURCES / "help" / "de" / name
+    assert outline(german) == outline(english)
+    text = german.read_text(encoding="utf-8")
+    for picture in re.findall(r"\]\((.+?)\)", text):
+        assert (german.parent / picture).is_file()
+    known = update.read(TRANSLATIONS / "Bistable_de.ts")
+    named = {known.get((command.name, command.text)) for command in COMMANDS}
+    objects = {"Curve", "TrianglePlacement"}  # which bear these names in the tree
+    bold = re.compile(r"\*\*(\w[^*\[\n]*)\*\*")
+    written = set(bold.findall(english.read_text(encoding="utf-8"))) - objects
+    for command in COMMANDS:
+        if command.text in written:
+            assert f"**{known[command.name, command.text]}**" in text
+    assert set(bold.findall(text)) <= named | objects
+
+
 def test_the_window_speaks_german(german, screenshot):
     gui = german
     Gui.activateWorkbench("BistableWorkbench")
     assert App.Qt.translate("Bistable_NewTube", "New tube") == "Neuer Schlauch"
+    assert files.help_page() == RESOURCES / "help" / "de" / "index.md"
     doc = App.newDocument("Deutsch")
     curve = make.make_curve(doc)
     triangles = make.make_triangle_placement(doc, curve)

@@ -66,8 +66,10 @@ def test_toolbar_and_menu_hold_the_commands_with_icons(gui):
         "Draw curve",
         "Curve",
         "Curve on sphere",
+        "Import curve",
         "Triangle placement",
         "Bistable units",
+        "Auto-fit",
     ]
     assert not any(action.icon().isNull() for action in shown)
     titles = [action.text().replace("&", "") for action in window.menuBar().actions()]

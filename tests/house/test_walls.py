@@ -26,10 +26,11 @@ MAY_IMPORT = {
     "colours": set(),
     "objects": {"BistableWB", "origami", "solids", "checks", "colours", "objects"},
     "exporters": {"BistableWB", "origami", "solids", "checks", "colours", "objects", "exporters"},
+    "slicing": {"origami", "solids", "checks", "exporters", "checking", "slicing"},
 }
 # Parts that are not named here may import every part but the GUI's.
 # These know no GUI at all, not even inside a function.
-NEVER_GUI = {"origami", "solids", "checks", "colours"}
+NEVER_GUI = {"origami", "solids", "checks", "colours", "slicing"}
 
 
 class Import(NamedTuple):
