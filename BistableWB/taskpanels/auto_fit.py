@@ -84,7 +84,7 @@ class AutoFitPanel:
             translate("BistableAutoFit", "off the curve (mm)"),
             self.choose,
         )
-        self.chart.setMinimumHeight(170)
+        self.chart.setMinimumSize(140, 170)  # no wider than the narrowest task view
         self.table = _table()
         self.table.itemSelectionChanged.connect(self._row_chosen)
         self.details = QtGui.QLabel()

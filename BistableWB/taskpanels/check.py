@@ -221,9 +221,9 @@ class CheckPanel:
         count = {kind: sum(rank == kind for rank, _ in self._rows) for kind in range(3)}
         errors, warnings = (count[_WORST_FIRST.index(kind)] for kind in (ERROR, WARNING))
         if errors:
-            self._say(translate("BistableCheck", "{} errors: correct them first.").format(errors))
+            self._say(translate("BistableCheck", "Errors: {}. Correct them first.").format(errors))
         elif warnings:
-            text = translate("BistableCheck", "No errors, but {} warnings before you print.")
+            text = translate("BistableCheck", "No errors. Warnings to read before you print: {}.")
             self._say(text.format(warnings))
         else:
             self._say(translate("BistableCheck", "Nothing speaks against printing."))

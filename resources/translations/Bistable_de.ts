@@ -126,6 +126,10 @@
    <translation>Geschlossene Körper …</translation>
   </message>
   <message>
+   <source>Errors: {}. Correct them first.</source>
+   <translation>Fehler: {}. Zuerst beheben.</translation>
+  </message>
+  <message>
    <source>Layer height</source>
    <translation>Schichthöhe</translation>
   </message>
@@ -142,8 +146,8 @@
    <translation>Netze werden erstellt …</translation>
   </message>
   <message>
-   <source>No errors, but {} warnings before you print.</source>
-   <translation>Keine Fehler, aber {} Warnungen: vor dem Druck ansehen.</translation>
+   <source>No errors. Warnings to read before you print: {}.</source>
+   <translation>Keine Fehler. Warnungen, die vor dem Druck zu lesen sind: {}.</translation>
   </message>
   <message>
    <source>Nothing speaks against printing.</source>
@@ -180,10 +184,6 @@
   <message>
    <source>Walls and cones…</source>
    <translation>Wände und Kegel …</translation>
-  </message>
-  <message>
-   <source>{} errors: correct them first.</source>
-   <translation>{} Fehler: zuerst beheben.</translation>
   </message>
   <message>
    <source>… and {} more.</source>
