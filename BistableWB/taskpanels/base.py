@@ -116,6 +116,7 @@ class ObjectPanel:
             form = QtGui.QFormLayout(box)
             form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
             form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+            form.setVerticalSpacing(3)  # hidden rows and empty explanations keep their spacing
             column.addWidget(box)
             self.boxes[group] = form
         return self.boxes[group]
