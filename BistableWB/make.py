@@ -8,6 +8,7 @@ import FreeCAD as App
 from .objects import TYPES, proxy_class
 from .objects.base import make_object, repair_object
 from .origami.ratios import DEFAULT_SHARE
+from .origami.snap_table import PITCH_RATIOS
 
 
 def make_curve(doc, points=None, source=None, kind="Plane", sphere_radius=None, name="Curve"):
@@ -60,8 +61,9 @@ def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
     """Thick, hinged panels for a BistableUnit object; ``preset``: a column of the paper's tables.
 
     A tube's TrianglePlacement that does not allow for thickness yet gets the pitch of the panels,
-    and its units expect the play of these hinges. Along a General curve units differ so much that
-    one share does not suit all: there a ratio rule that nobody has touched becomes TargetSnap.
+    and its units expect the play of these hinges. A ratio rule that nobody has touched becomes
+    TargetSnap, so that the hinges' play does not swallow the snap of units that open little (on a
+    sphere, where ratios cannot be chosen, it stays).
     """
     from .objects.hinge_inputs import apply_preset, hinge_parameters
 
@@ -76,10 +78,17 @@ def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
         triangles.Thickness = parameters.pitch
         if unit.RatioRule != "TargetSnap":
             unit.HingePlay = parameters.play
-        untouched = unit.RatioRule == "Adaptive" and unit.RatioShare == DEFAULT_SHARE
-        if getattr(triangles.Curve, "Kind", "") == "General" and untouched and parameters.play > 0:
+        if _may_aim(unit, triangles, parameters):
             unit.RatioRule = "TargetSnap"
     return obj
+
+
+def _may_aim(unit, triangles, parameters):
+    """Whether nobody chose ratios, and a margin is known for hinges of these ``parameters``."""
+    untouched = unit.RatioRule == "Adaptive" and unit.RatioShare == DEFAULT_SHARE
+    on_sphere = getattr(triangles.Curve, "Kind", "") == "Sphere"
+    tabulated = parameters.pitch <= PITCH_RATIOS[-1] * triangles.EdgeLength.Value
+    return untouched and not on_sphere and tabulated and parameters.play > 0
 
 
 def make_solids(hinges):

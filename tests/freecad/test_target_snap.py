@@ -44,6 +44,30 @@ def test_units_that_fall_short_are_named(doc, valid):
     assert unit.Warnings == []
 
 
+def test_a_hinge_set_aims_for_a_firm_snap_unless_ratios_were_chosen(doc, valid):
+    """All by defaults, as *New tube* and *Hinge set* make it: no unit of it is floppy."""
+    unit = make.make_bistable_unit(doc, make.make_triangle_placement(doc, make.make_curve(doc)))
+    hinges = make.make_hinge_set(doc, unit)
+    hinges.FirstUnit = hinges.LastUnit = 2  # one of those that open little
+    valid(doc)
+    assert unit.RatioRule == "TargetSnap"
+    assert min(hinges.SnapMargins) >= 1
+    assert not any("floppy" in text for text in [*unit.Warnings, *hinges.Warnings])
+    unit.RatioRule = "Adaptive"
+    valid(doc)
+    assert min(hinges.SnapMargins) < 1
+    assert "Units 2, 4, 6" in unit.Warnings[0] and "are floppy" in unit.Warnings[0]
+
+
+def test_chosen_ratios_stay(doc):
+    for choice, value in {"RatioShare": 0.1, "RatioRule": "Paper"}.items():
+        curve = make.make_curve(doc, points=ARCH)
+        unit = make.make_bistable_unit(doc, make.make_triangle_placement(doc, curve))
+        setattr(unit, choice, value)
+        make.make_hinge_set(doc, unit)
+        assert unit.RatioRule != "TargetSnap"
+
+
 def test_without_thickness_it_says_what_to_set(doc, refused):
     triangles, unit = chain(doc, thickness=0.0)
     assert f"Thickness of {triangles.Label} is 0 mm" in refused(doc, unit)
