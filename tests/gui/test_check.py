@@ -93,7 +93,7 @@ def test_a_finding_is_shown_in_the_view(panel_of, hinges, gui, screenshot):
     texts = [text for text, _ in rows(panel)]
     signs = [text[0] for text in texts]
     assert signs == sorted(signs, key="✗!✓".index)
-    assert "errors" in panel.state.text()
+    assert "Errors" in panel.state.text()
     text, button = rows(panel)[0]
     assert "switch Compensate on" in text
     button.click()
