@@ -15,16 +15,21 @@ def check_snap(snap):
     least, count = float(margin.min()), len(margin)
     if not loose.any():
         each = "The unit snaps" if count == 1 else f"All {count} units snap"
-        text = "its hinges have no play" if np.isinf(least) else f"margin {least:.2f} or more"
-        return [Finding(NOTE, "snap", (), least, 1.0, f"{each}: {text}.")]
-    who = named(loose) + (f" of {count}" if count > 1 else "")
+        text = f"{each}: margin {least:.2f} or more."
+        if np.isinf(least):
+            text = f"{each}: its hinges have no play."
+        return [Finding(NOTE, "snap", (), least, 1.0, text)]
+    of = f" of {count}" if count > 1 else ""
     are = "are" if loose.sum() > 1 else "is"
     if two_states.all():
-        message = f"{who} {are} floppy, margin {least:.2f} at the least,"
+        trouble = f"margin {least:.2f} at the least"
         cure = "make EdgeLength larger, Ratio nearer to sin(theta/2), or GapLength smaller"
     else:
-        message = f"{who} {are} floppy, without a second stable state,"
+        trouble = "without a second stable state"
         cure = "switch Compensate on"
-    message += " and nothing but friction holds the deployed state."
+    message = (
+        f"{named(loose)}{of} {are} floppy, {trouble}, and nothing but friction holds the deployed "
+        "state."
+    )
     place = tuple(f"unit{k + 1:02d}" for k in np.flatnonzero(loose))
     return [Finding(WARNING, "snap", place, least, 1.0, message, cure)]

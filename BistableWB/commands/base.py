@@ -101,11 +101,18 @@ class Script:
                 text = translate("Bistable", "{}: cancelled, the document is as it was.")
                 App.Console.PrintMessage(text.format(self.title) + "\n")
             else:
-                App.Console.PrintError(f"{self.title}: {error}\n")
+                print_error(error, self.title)
             return
         doc.commitTransaction()
         for line in self.in_view:
             Gui.doCommandGui(line)
+
+
+def print_error(reason, who=""):
+    """Say in the report view, in the user's language, why something was refused: a sentence."""
+    from ..taskpanels.sentences import clean, in_own_language
+
+    App.Console.PrintError(f"{who}{': ' * bool(who)}{in_own_language(clean(str(reason)))}\n")
 
 
 def is_cancel(error):

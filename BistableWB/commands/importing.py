@@ -3,13 +3,12 @@
 
 from pathlib import Path
 
-import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import imports
 from ..viewproviders import settings
-from .base import QT_TRANSLATE_NOOP, Command, Script, fit_view, quoted, translate
+from .base import QT_TRANSLATE_NOOP, Command, Script, fit_view, print_error, quoted, translate
 
 _FOLD = ".fold"
 _LISTED = 20  # curves of a file that are offered
@@ -49,7 +48,7 @@ def import_file(path):
             return None
         found = imports.curves_in(path)
     except ValueError as error:
-        App.Console.PrintError(f"{error}\n")
+        print_error(error)
         return None
     if len(found) == 1:
         _import_curve(path, found[0].kind)

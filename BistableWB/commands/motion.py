@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Open and fold a tube in the 3D view."""
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..objects import type_of
 from . import chosen
-from .base import QT_TRANSLATE_NOOP, Command
+from .base import QT_TRANSLATE_NOOP, Command, print_error
 
 _MOVING = ("Bistable::HingeSet", "Bistable::BistableUnit")
 
@@ -34,13 +33,13 @@ class Deploy(Command):
 
         obj = moving_object()
         if not obj.isValid():
-            App.Console.PrintError(f"{obj.Label}: {obj.getStatusString()}\n")
+            print_error(obj.getStatusString(), obj.Label)
             return
         Gui.Selection.clearSelection()
         try:
             panel = DeployPanel(obj)
         except ValueError as error:
-            App.Console.PrintError(f"{obj.Label}: {error}\n")
+            print_error(error, obj.Label)
             return
         Gui.Control.showDialog(panel)
 

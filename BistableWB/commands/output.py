@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands about the print: write it to a file, check it, report on it."""
 
+import re
 from pathlib import Path
 
 import FreeCAD as App
@@ -11,7 +12,7 @@ from ..exporters import FORMATS
 from ..objects import type_of
 from ..viewproviders import settings
 from . import chosen
-from .base import QT_TRANSLATE_NOOP, Command, by_name, is_cancel, quoted, translate
+from .base import QT_TRANSLATE_NOOP, Command, by_name, is_cancel, print_error, quoted, translate
 
 PRINTS = ("Bistable::HingeSet", "Bistable::HingeCoupon")
 _EXPORTED = (*PRINTS, "Bistable::BistableUnit")
@@ -83,7 +84,8 @@ def _asked(title, obj, kinds):
     The first kind counts where the name has no suffix and no kind was chosen.
     """
     folder = settings.group().GetString("ExportFolder", str(Path.home()))
-    start = str(Path(folder) / f"{obj.Document.Name}-{obj.Label}")
+    name = re.sub(r'[<>:"/\\|?*\x00-\x1f]', "-", obj.Label)  # what some system's file names forbid
+    start = str(Path(folder) / f"{obj.Document.Name}-{name}")
     path, chosen = QtGui.QFileDialog.getSaveFileName(
         Gui.getMainWindow(), title, start, ";;".join(kinds)
     )
@@ -113,7 +115,7 @@ def _write(obj, path, *lines):
         for line in (f"doc = App.getDocument({quoted(obj.Document.Name)})", *lines):
             Gui.doCommand(line)
     except ValueError as error:
-        App.Console.PrintError(f"{error}\n")
+        print_error(error)
         return False
     except RuntimeError as error:
         if not is_cancel(error):

@@ -16,8 +16,9 @@ from ..origami.thick_tube import ThickTube, thick_tube
 from ..solids.joint import part_bodies
 from ..solids.support import support_body
 from ..solids.tube import tube_bodies
-from .base import Prop, Result, require_link, set_result, set_warnings
+from .base import Prop, Result, frame_placement, require_link, set_result, set_warnings
 from .bistable_unit import SHAPING, BistableUnit, triangles_below, tube_of, tube_on
+from .curve import placed as placed_by
 from .hinge_inputs import HINGE_PROPERTIES, hinge_parameters
 from .self_drawn import SelfDrawn
 from .triangle_placement import geometry_below, place_on
@@ -104,9 +105,10 @@ class HingeSet(SelfDrawn):
             )
         units = obj.FirstUnit, obj.LastUnit
         room = tuple(obj.Bed), obj.Orientation
-        key = (parameters, obj.Compensate, units, *_inputs(unit))
+        back = frame_placement(obj).inverse()  # a Part's placement moves the Shape once, not twice
+        key = (parameters, obj.Compensate, units, *_inputs(unit, back))
         if getattr(self, "_key", None) != key:
-            self._model = _make_model(unit, parameters, obj.Compensate, units, room)
+            self._model = _make_model(unit, back, parameters, obj.Compensate, units, room)
             self._key = key
         else:
             _check_bed(self._model.tube, parameters, room, obj.FirstUnit - 1)
@@ -161,9 +163,9 @@ def _moved(shape, placement):
     return moved
 
 
-def _make_model(unit, parameters, compensate, units, room):
+def _make_model(unit, back, parameters, compensate, units, room):
     parameters.check()
-    whole, warnings = _thick(unit, parameters, compensate)
+    whole, warnings = _thick(unit, back, parameters, compensate)
     first, last = _range(units, len(whole.tube))
     part = whole.part(first, last)
     _check_bed(part, parameters, room, first)
@@ -223,17 +225,19 @@ def _gathered(sentences):
     gathered = []
     for same in kinds.values():
         more = sorted({int(n) for s in same[1:] for n in re.findall(r"^Unit (\d+)", s)})
-        also = f" (Also unit{'s'[: len(more) > 1]} {', '.join(map(str, more))}.)" if more else ""
-        gathered.append(same[0] + also)
+        told = same[0]
+        if more:
+            told = f"{told} (Also unit{'s'[: len(more) > 1]} {', '.join(map(str, more))}.)"
+        gathered.append(told)
     return gathered
 
 
-def _thick(unit, parameters, compensate):
-    """`ThickTube` of a BistableUnit object, and warnings about it."""
+def _thick(unit, back, parameters, compensate):
+    """`ThickTube` of a BistableUnit object in the frame that ``back`` leads to, and warnings."""
     t, g = parameters.face_thickness, parameters.gap_between_planes
     triangles = triangles_below(unit)
     if triangles is not None and abs(triangles.Thickness.Value - parameters.pitch) < 1e-9:
-        geometry = geometry_below(triangles)
+        geometry = placed_by(geometry_below(triangles), back)
         tube = thick_tube(
             lambda tuning: place_on(triangles, geometry, tuning.extra),
             lambda placed, tuning: tube_on(unit, placed, geometry, tuning),
@@ -248,7 +252,7 @@ def _thick(unit, parameters, compensate):
         thick = thick.compensated()
     if triangles is None:
         return ThickTube(thin, thick), []
-    placed = place_on(triangles, geometry_below(triangles))
+    placed = place_on(triangles, placed_by(geometry_below(triangles), back))
     tube = ThickTube(thin, thick, placed)
     cure = f"; set Thickness of {triangles.Label} to {parameters.pitch:.4g} mm"
     return tube, _deviation_warnings(tube, cure)
@@ -261,7 +265,7 @@ def _deviation_warnings(tube, cure):
     return [f"Deployed, the tube strays up to {off:.3g} mm from its curve{cure or ': compensate'}."]
 
 
-def _inputs(unit):
+def _inputs(unit, back):
     """What shapes a BistableUnit's tube, without its `Deployment`: comparable values."""
     own = [getattr(unit, name) for name in SHAPING]
     own = [getattr(value, "Value", value) for value in own]
@@ -269,7 +273,7 @@ def _inputs(unit):
     if triangles is None:
         alone = (unit.Theta, unit.EdgeLength, unit.Omega, unit.Thickness)
         return (*own, *(quantity.Value for quantity in alone))
-    geometry = geometry_below(triangles)
+    geometry = placed_by(geometry_below(triangles), back)
     return (
         *own,
         triangles.EdgeLength.Value,

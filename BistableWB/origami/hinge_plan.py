@@ -110,8 +110,7 @@ class TooSmall(ValueError):
     def __init__(self, what, hinge, factor, edge_length=None):
         self.what, self.hinge = what, hinge
         size = size_property(hinge, factor, edge_length)
-        cure = f"set {size}, or make FaceThickness or GapLength smaller"
-        super().__init__(f"{what}; {cure}.")
+        super().__init__(f"{what}; set {size}, or make FaceThickness or GapLength smaller.")
 
 
 @dataclass(frozen=True)
@@ -202,11 +201,13 @@ def segmented(hinge, span, parameters, notes):
     """
     length = span[1] - span[0]
     if parameters.hinge_type == FLEXIBLE:
-        _check_room(hinge, length, 6 * parameters.strip_thickness, "a strip with fingers needs")
+        _check_room(
+            hinge, length, 6 * parameters.strip_thickness, "a strip with fingers needs {:.3g} mm"
+        )
         return replace(hinge, segments=(span,))
     least, gap = parameters.shortest_segment, parameters.gap_length
     need = MINIMUM_SEGMENTS * (least + gap) - gap
-    _check_room(hinge, length, need, "three segments need")
+    _check_room(hinge, length, need, "three segments need {:.3g} mm")
     count = segments_for(length, parameters)
     if count < parameters.segmentations:
         kind = hinge.name.replace("_left", "").replace("_right", "")
@@ -222,7 +223,7 @@ def _check_room(hinge, length, need, what):
     whole = hinge.stretch[1] - hinge.stretch[0]
     left = f"only {length:.3g} mm are" if length > 0 else "no length is"
     raise TooSmall(
-        f"Hinge {hinge.name}: {left} left between its vertices and {what} {need:.3g} mm", hinge,
+        f"Hinge {hinge.name}: {left} left between its vertices and {what.format(need)}", hinge,
         1.05 * (whole + need - length) / whole,
     )  # fmt: skip
 

@@ -18,6 +18,7 @@ from .base import icon
 from .charts import PointChart
 from .fields import error_colour
 from .instead import Instead
+from .sentences import in_own_language
 from .texts import translate, translated
 from .wishes import Wishes
 
@@ -172,6 +173,7 @@ class AutoFitPanel:
         """Say what is wrong beside the field that it names first, else below."""
         colour = error_colour(self.form)
         named = re.match(r"\w+", reason)
+        reason = in_own_language(reason)
         if not (named and self.wishes.explain(reason, colour, named[0])):
             self.say(reason, colour)
 

@@ -13,6 +13,7 @@ from ..objects import type_of
 from ..objects.base import Result
 from .fields import KINDS, error_colour, wrapped
 from .macro import inputs_of, record_changes
+from .sentences import clean, in_own_language
 from .texts import label_of, translate, translated, value_text
 
 HEAVY = {"Bistable::HingeSet"}  # made on Apply and OK only
@@ -197,7 +198,10 @@ class ObjectPanel:
     def show_state(self):
         """Results, and what is wrong with which input."""
         for name, label in self.results.items():
-            label.setText(value_text(getattr(self.obj, name)))
+            value = getattr(self.obj, name)
+            if name == "Warnings":
+                value = [in_own_language(sentence) for sentence in value]
+            label.setText(value_text(value))
         self.say("")
         for field in self.fields.values():
             field.explain("", "")
@@ -209,7 +213,7 @@ class ObjectPanel:
     def _explain(self, other):
         reason = clean(other.getStatusString())
         named = [name for name in re.findall(r"\w+", reason) if name in self.fields]
-        colour = error_colour(self.form)
+        reason, colour = in_own_language(reason), error_colour(self.form)
         if other is self.obj and named and not self.fields[named[0]].is_hidden():
             self.fields[named[0]].explain(reason, colour)
         else:
@@ -231,11 +235,6 @@ class HeavyPanel(ObjectPanel):
         self.apply.setObjectName("Apply")
         self.apply.clicked.connect(self.recompute_all)
         column.addWidget(self.apply)
-
-
-def clean(status):
-    """The sentence in an object's status string."""
-    return re.sub(r"^<class '\w+'>:?\s*|^\w*Error:\s*", "", status).strip()
 
 
 def open_panel(obj):

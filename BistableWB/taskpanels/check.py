@@ -16,6 +16,7 @@ from ..viewproviders import settings
 from ..viewproviders.pointer import Pointer
 from .base import icon
 from .fields import error_colour
+from .sentences import finding_text
 from .texts import translate, value_text
 
 _SIGNS = {ERROR: "✗", WARNING: "!", NOTE: "✓"}
@@ -248,7 +249,7 @@ class CheckPanel:
         row = QtGui.QWidget()
         line = QtGui.QHBoxLayout(row)
         line.setContentsMargins(0, 0, 0, 0)
-        label = QtGui.QLabel(f"{_SIGNS[finding.severity]}  {finding}")
+        label = QtGui.QLabel(f"{_SIGNS[finding.severity]}  {finding_text(finding)}")
         label.setWordWrap(True)
         label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         if finding.severity == ERROR:

@@ -1189,6 +1189,1405 @@
   </message>
  </context>
  <context>
+  <name>BistableSentence</name>
+  <message>
+   <source> (and of {0} other bodies)</source>
+   <translation> (und von {0} anderen Körpern)</translation>
+  </message>
+  <message>
+   <source> (and of {0} other body)</source>
+   <translation> (und von {0} anderen Körper)</translation>
+  </message>
+  <message>
+   <source> (and of {0} other pair)</source>
+   <translation> (und bei {0} anderen Paar)</translation>
+  </message>
+  <message>
+   <source> (and of {0} other pairs)</source>
+   <translation> (und bei {0} anderen Paaren)</translation>
+  </message>
+  <message>
+   <source> (and {0} other pair less)</source>
+   <translation> (und {0} anderes Paar weniger)</translation>
+  </message>
+  <message>
+   <source> (and {0} other pairs less)</source>
+   <translation> (und {0} andere Paare weniger)</translation>
+  </message>
+  <message>
+   <source> and are floppy</source>
+   <translation> und damit schlaff</translation>
+  </message>
+  <message>
+   <source> and {0} more</source>
+   <translation> und {0} weitere</translation>
+  </message>
+  <message>
+   <source> of unit {0}</source>
+   <translation> von Einheit {0}</translation>
+  </message>
+  <message>
+   <source> of {0}</source>
+   <translation> von {0}</translation>
+  </message>
+  <message>
+   <source>, but for {0} mm²</source>
+   <translation>, bis auf {0} mm²</translation>
+  </message>
+  <message>
+   <source>, or ConeAngle to 60°</source>
+   <translation>, oder ConeAngle auf 60° einstellen</translation>
+  </message>
+  <message>
+   <source>, turned by {0}°</source>
+   <translation>, um {0}° gedreht</translation>
+  </message>
+  <message>
+   <source>, {0} first</source>
+   <translation>, zuerst {0}</translation>
+  </message>
+  <message>
+   <source>: compensate</source>
+   <translation>: Compensate einschalten</translation>
+  </message>
+  <message>
+   <source>; set Thickness of {0} to {1} mm</source>
+   <translation>; Thickness von {0} auf {1} mm einstellen</translation>
+  </message>
+  <message>
+   <source>A contact quadrilateral{0} has an edge of length {1}: corners coincide; give four different corners (A_upper, B_upper, B_lower, A_lower).</source>
+   <translation>Ein Kontaktviereck{0} hat eine Kante der Länge {1}: Ecken fallen zusammen; vier verschiedene Ecken angeben (A_upper, B_upper, B_lower, A_lower).</translation>
+  </message>
+  <message>
+   <source>A contact quadrilateral{0} is not convex: its legs cross or its corners are out of order; make the strip lower (raise HeightRatio) or move Ruling's viewpoint away.</source>
+   <translation>Ein Kontaktviereck{0} ist nicht konvex: seine Schenkel kreuzen sich oder seine Ecken sind vertauscht; den Streifen niedriger machen (HeightRatio erhöhen) oder den Blickpunkt von Ruling weiter weg setzen.</translation>
+  </message>
+  <message>
+   <source>A contact quadrilateral{0} is not planar (by {1} of its size): move its corners into one plane.</source>
+   <translation>Ein Kontaktviereck{0} ist nicht eben (um {1} seiner Größe): seine Ecken in eine Ebene legen.</translation>
+  </message>
+  <message>
+   <source>A design file cannot turn a plan on a sphere: set the rotation of {0} to 0, or give its points heights.</source>
+   <translation>Eine Entwurfsdatei kann keinen Plan auf einer Kugel drehen: die Drehung von {0} auf 0 stellen oder den Punkten Höhen geben.</translation>
+  </message>
+  <message>
+   <source>A fold{0} would turn inside out (sine {1}): make EdgeLength shorter, move Ruling nearer to square with the curve, or raise Ratio.</source>
+   <translation>Eine Falte{0} würde sich nach innen kehren (Sinus {1}): EdgeLength verkürzen, Ruling mehr quer zur Kurve stellen oder Ratio erhöhen.</translation>
+  </message>
+  <message>
+   <source>A half block did not become one solid.</source>
+   <translation>Ein halber Block wurde nicht zu einem Körper.</translation>
+  </message>
+  <message>
+   <source>A panel{0} would be flipped or have no area (sine of its corner {1}): make EdgeLength shorter, move Ruling nearer to square with the curve, or change Ratio.</source>
+   <translation>Eine Fläche{0} wäre umgeklappt oder ohne Inhalt (Sinus ihrer Ecke {1}): EdgeLength verkürzen, Ruling mehr quer zur Kurve stellen oder Ratio ändern.</translation>
+  </message>
+  <message>
+   <source>A {0} of {1}{2} is {3} mm thick, less than the {4} of {5} mm, and would be left out.</source>
+   <translation>{0} von {1}{2}: {3} mm dick, weniger als {4} mit {5} mm, und würde weggelassen.</translation>
+  </message>
+  <message>
+   <source>All {0} units snap</source>
+   <translation>Alle {0} Einheiten schnappen</translation>
+  </message>
+  <message>
+   <source>Angle alpha{0} is {1}°: it must lie between 0° and 90°.</source>
+   <translation>Winkel alpha{0} ist {1}°: er muss zwischen 0° und 90° liegen.</translation>
+  </message>
+  <message>
+   <source>Angle beta{0} is {1}°: for alpha {2}° it must be at least 45° - alpha/2 = {3}° and below 90° - alpha = {4}°.</source>
+   <translation>Winkel beta{0} ist {1}°: für alpha {2}° muss er mindestens 45° - alpha/2 = {3}° und unter 90° - alpha = {4}° sein.</translation>
+  </message>
+  <message>
+   <source>Auto-fit: choose the TrianglePlacement, or the Curve, that is to be followed.</source>
+   <translation>Automatisch anpassen: die TrianglePlacement oder die Curve wählen, der gefolgt werden soll.</translation>
+  </message>
+  <message>
+   <source>Base angle omega is {0}°: it must lie between 0° and 90°.</source>
+   <translation>Basiswinkel omega ist {0}°: er muss zwischen 0° und 90° liegen.</translation>
+  </message>
+  <message>
+   <source>Bed: {0} Cure: {1}.</source>
+   <translation>Druckbett: {0} Abhilfe: {1}.</translation>
+  </message>
+  <message>
+   <source>Between any two moving bodies lies a layer of air{0}.</source>
+   <translation>Zwischen je zwei beweglichen Körpern liegt eine Schicht Luft{0}.</translation>
+  </message>
+  <message>
+   <source>Bodies {0} when opened to {1}.</source>
+   <translation>Bei einer Öffnung von {1}: Körper {0}.</translation>
+  </message>
+  <message>
+   <source>Body {0} has {1} mm³ instead of one solid of {2} mm³.</source>
+   <translation>Körper {0} hat {1} mm³ statt eines Volumens von {2} mm³.</translation>
+  </message>
+  <message>
+   <source>Body {0} has {1} mm³ instead of {2} mm³.</source>
+   <translation>Körper {0} hat {1} mm³ statt {2} mm³.</translation>
+  </message>
+  <message>
+   <source>C'{0} would leave its place between A and B: make EdgeLength shorter, move Ruling nearer to square with the curve, or lower Ratio.</source>
+   <translation>C'{0} würde seinen Platz zwischen A und B verlassen: EdgeLength verkürzen, Ruling mehr quer zur Kurve stellen oder Ratio verkleinern.</translation>
+  </message>
+  <message>
+   <source>ConeAngle is {0}°: set it between 45° and 60°, so that cones print without support.</source>
+   <translation>ConeAngle ist {0}°: zwischen 45° und 60° einstellen, damit Kegel ohne Stütze gedruckt werden.</translation>
+  </message>
+  <message>
+   <source>Cones are {0} mm apart, less than a layer of {1} mm: raise GapLength to {2} mm or lower ConeAngle towards 45°.</source>
+   <translation>Kegel haben {0} mm Abstand, weniger als eine Schicht von {1} mm: GapLength auf {2} mm erhöhen oder ConeAngle in Richtung 45° senken.</translation>
+  </message>
+  <message>
+   <source>Contacts: give two arrays of shape (4, 3) or (n, 4, 3) with the corners A_upper, B_upper, B_lower, A_lower; these have shapes {0} and {1}.</source>
+   <translation>Contacts: zwei Felder der Form (4, 3) oder (n, 4, 3) mit den Ecken A_upper, B_upper, B_lower, A_lower angeben; diese haben die Formen {0} und {1}.</translation>
+  </message>
+  <message>
+   <source>Contacts: there is no unit; give at least one pair of quadrilaterals.</source>
+   <translation>Contacts: es gibt keine Einheit; mindestens ein Paar von Vierecken angeben.</translation>
+  </message>
+  <message>
+   <source>Contacts{0} have coordinates that are not finite numbers; give them numbers in mm.</source>
+   <translation>Contacts{0} haben Koordinaten, die keine endlichen Zahlen sind; Zahlen in mm angeben.</translation>
+  </message>
+  <message>
+   <source>Coupon of {0} x {1} mm leaves nothing of {2}; set LengthX and LengthY to {3} and {4} mm.</source>
+   <translation>Vom Probestück mit {0} x {1} mm bleibt nichts von {2} übrig; LengthX und LengthY auf {3} und {4} mm einstellen.</translation>
+  </message>
+  <message>
+   <source>Curve is closed at ({0}) mm: a closed tube cannot be both bistable and flat-foldable; open it by a gap of a few EdgeLength.</source>
+   <translation>Die Kurve ist bei ({0}) mm geschlossen: ein geschlossener Schlauch kann nicht zugleich bistabil und flach faltbar sein; die Kurve um einige EdgeLength öffnen.</translation>
+  </message>
+  <message>
+   <source>Curve is closed at {0}: a closed tube cannot be both bistable and flat-foldable; open the curve by a gap of a few EdgeLength.</source>
+   <translation>Die Kurve ist bei {0} geschlossen: ein geschlossener Schlauch kann nicht zugleich bistabil und flach faltbar sein; die Kurve um einige EdgeLength öffnen.</translation>
+  </message>
+  <message>
+   <source>Curve is not on the sphere: at ({0}) mm it is {1} mm from SphereCenter, SphereRadius is {2} mm; correct SphereRadius and SphereCenter, or bring the curve within a quarter of the radius.</source>
+   <translation>Die Kurve liegt nicht auf der Kugel: bei ({0}) mm ist sie {1} mm von SphereCenter entfernt, SphereRadius ist {2} mm; SphereRadius und SphereCenter berichtigen oder die Kurve auf ein Viertel des Radius heranbringen.</translation>
+  </message>
+  <message>
+   <source>Curve is not on the sphere: near midpoint {0} it is {1} mm from the centre instead of SphereRadius {2} mm; project the curve onto the sphere or correct SphereRadius and SphereCenter.</source>
+   <translation>Die Kurve liegt nicht auf der Kugel: nahe Mittelpunkt {0} ist sie {1} mm von der Mitte entfernt statt SphereRadius {2} mm; die Kurve auf die Kugel projizieren oder SphereRadius und SphereCenter berichtigen.</translation>
+  </message>
+  <message>
+   <source>Curve is not planar: near ({0}) mm it lies {1} mm off its best plane; flatten it, or set Kind to Sphere if it lies on a sphere.</source>
+   <translation>Die Kurve ist nicht eben: nahe ({0}) mm liegt sie {1} mm neben ihrer besten Ebene; sie eben machen oder Kind auf Sphere stellen, wenn sie auf einer Kugel liegt.</translation>
+  </message>
+  <message>
+   <source>Curve: it has no length or points that are not finite; check it.</source>
+   <translation>Kurve: sie hat keine Länge oder Punkte, die nicht endlich sind; sie prüfen.</translation>
+  </message>
+  <message>
+   <source>Curve: it has points that are not finite; check its control points.</source>
+   <translation>Kurve: sie hat Punkte, die nicht endlich sind; ihre Kontrollpunkte prüfen.</translation>
+  </message>
+  <message>
+   <source>Curve: the radius of curvature is too small near {0} (about {1} mm, EdgeLength {2} mm needs more than {3} mm); make EdgeLength shorter or the bend wider.</source>
+   <translation>Kurve: der Krümmungsradius ist nahe {0} zu klein (etwa {1} mm, EdgeLength {2} mm braucht mehr als {3} mm); EdgeLength verkürzen oder den Bogen weiter machen.</translation>
+  </message>
+  <message>
+   <source>Curve: the tube meets itself: unit {0} near {1} overlaps unit {2} near {3}; move these parts of the curve further apart or make EdgeLength shorter.</source>
+   <translation>Kurve: der Schlauch trifft auf sich selbst: Einheit {0} nahe {1} überdeckt Einheit {2} nahe {3}; diese Teile der Kurve weiter auseinanderrücken oder EdgeLength verkürzen.</translation>
+  </message>
+  <message>
+   <source>Curve: units run into each other near {0}, where they tilt too much; make EdgeLength shorter or Gamma smaller, or along a General curve move Ruling nearer to square with the curve or switch Level on.</source>
+   <translation>Kurve: Einheiten laufen nahe {0} ineinander, wo sie zu stark kippen; EdgeLength verkürzen oder Gamma verkleinern, oder entlang einer allgemeinen Kurve (General) Ruling mehr quer zur Kurve stellen oder Level einschalten.</translation>
+  </message>
+  <message>
+   <source>DXF (as text, not binary)</source>
+   <translation>DXF (als Text, nicht binär)</translation>
+  </message>
+  <message>
+   <source>Deployed, the tube strays up to {0} mm from its curve{1}.</source>
+   <translation>Entfaltet weicht der Schlauch bis zu {0} mm von seiner Kurve ab{1}.</translation>
+  </message>
+  <message>
+   <source>Deployment is {0}: it must lie between 0 (flat) and 1 (deployed), at most {1}.</source>
+   <translation>Deployment ist {0}: es muss zwischen 0 (flach) und 1 (entfaltet) liegen, höchstens bei {1}.</translation>
+  </message>
+  <message>
+   <source>Deployment is {0}: it must lie between 0 and 1.</source>
+   <translation>Deployment ist {0}: es muss zwischen 0 und 1 liegen.</translation>
+  </message>
+  <message>
+   <source>EdgeLength {0} mm with Gamma {1}° would need more than {2} units along {3} mm of curve; make EdgeLength longer.</source>
+   <translation>EdgeLength {0} mm mit Gamma {1}° bräuchte mehr als {2} Einheiten auf {3} mm Kurve; EdgeLength verlängern.</translation>
+  </message>
+  <message>
+   <source>EdgeLength ‖AB‖</source>
+   <translation>EdgeLength ‖AB‖</translation>
+  </message>
+  <message>
+   <source>EdgeLength ‖AB‖ = {0} mm is too long for this curve of length {1} mm: not even one unit fits; make EdgeLength shorter, the curve longer, or Gamma smaller.</source>
+   <translation>EdgeLength ‖AB‖ = {0} mm ist zu lang für diese Kurve der Länge {1} mm: nicht einmal eine Einheit passt; EdgeLength verkürzen, die Kurve verlängern oder Gamma verkleinern.</translation>
+  </message>
+  <message>
+   <source>EdgeLength ‖AB‖ is {0} mm: set it to a length above 0.</source>
+   <translation>EdgeLength ‖AB‖ ist {0} mm: eine Länge über 0 einstellen.</translation>
+  </message>
+  <message>
+   <source>EdgeLength ‖AB‖ to {0} mm</source>
+   <translation>EdgeLength ‖AB‖ auf {0} mm</translation>
+  </message>
+  <message>
+   <source>EdgeLength ‖AB‖ {0} times larger</source>
+   <translation>EdgeLength ‖AB‖ {0}-mal so groß</translation>
+  </message>
+  <message>
+   <source>Every hinge: cones are {0} mm high and must exceed two gap lengths, or they disengage; set FaceThickness to {1} mm or more{2}.</source>
+   <translation>Jedes Scharnier: Kegel sind {0} mm hoch und müssen höher als zwei Spalte sein, sonst rasten sie aus; FaceThickness auf {1} mm oder mehr einstellen{2}.</translation>
+  </message>
+  <message>
+   <source>Every hinge: the pin is {0} mm thick, less than two nozzle widths; {1}.</source>
+   <translation>Jedes Scharnier: der Stift ist {0} mm dick, weniger als zwei Düsenbreiten; {1}.</translation>
+  </message>
+  <message>
+   <source>Every hinge: the wall around the pin is {0} mm thick, less than one nozzle width; {1}.</source>
+   <translation>Jedes Scharnier: die Wand um den Stift ist {0} mm dick, weniger als eine Düsenbreite; {1}.</translation>
+  </message>
+  <message>
+   <source>FirstUnit {0} and LastUnit {1} do not name units of a tube of {2}: set FirstUnit to 1 or more and LastUnit to at most {3} (0: the last).</source>
+   <translation>FirstUnit {0} und LastUnit {1} nennen keine Einheiten eines Schlauchs von {2}: FirstUnit auf 1 oder mehr und LastUnit auf höchstens {3} einstellen (0: die letzte).</translation>
+  </message>
+  <message>
+   <source>Gamma is {0}°: the first segment must lean forward; set Gamma above 0° and below 90° (10° to 30° is usual).</source>
+   <translation>Gamma ist {0}°: die erste Strecke muss sich nach vorn neigen; Gamma über 0° und unter 90° einstellen (10° bis 30° ist üblich).</translation>
+  </message>
+  <message>
+   <source>GapBetweenPlanes is {0} mm: set it to 0.6 mm or more.</source>
+   <translation>GapBetweenPlanes ist {0} mm: auf 0.6 mm oder mehr einstellen.</translation>
+  </message>
+  <message>
+   <source>GapBetweenPlanes {0} mm is below the layer height: stacked panels would fuse; set GapBetweenPlanes to {1} mm or more.</source>
+   <translation>GapBetweenPlanes {0} mm ist kleiner als die Schichthöhe: gestapelte Platten würden verschmelzen; GapBetweenPlanes auf {1} mm oder mehr einstellen.</translation>
+  </message>
+  <message>
+   <source>GapLength {0} mm is below the layer height: the printer closes it; set GapLength to {1} mm or more, or LayerHeight to {2} mm or less.</source>
+   <translation>GapLength {0} mm ist kleiner als die Schichthöhe: der Drucker schließt den Spalt; GapLength auf {1} mm oder mehr oder LayerHeight auf {2} mm oder weniger einstellen.</translation>
+  </message>
+  <message>
+   <source>Give the hinges less play (steeper cones, smaller GapLength, or flexible hinges, which have none), ask for a smaller margin, or use a bed that holds longer edges.</source>
+   <translation>Den Scharnieren weniger Spiel geben (steilere Kegel, kleinere GapLength oder flexible Scharniere, die keines haben), eine kleinere Reserve verlangen oder ein Bett verwenden, auf das längere Kanten passen.</translation>
+  </message>
+  <message>
+   <source>Give the hinges less play, ask for a smaller margin, or use a tougher material.</source>
+   <translation>Den Scharnieren weniger Spiel geben, eine kleinere Reserve verlangen oder ein zäheres Material verwenden.</translation>
+  </message>
+  <message>
+   <source>HeightRatio ‖AB‖/h is {0}: it must be a number above 0, 2.5 is usual.</source>
+   <translation>HeightRatio ‖AB‖/h ist {0}: es muss eine Zahl über 0 sein, 2.5 ist üblich.</translation>
+  </message>
+  <message>
+   <source>Hinge {0} has room for {1} segments instead of {2}.</source>
+   <translation>Scharnier {0} hat Platz für {1} Glieder statt {2}.</translation>
+  </message>
+  <message>
+   <source>Hinge {0}: no finger of {1} mm fits into panel {2}; set BondWidth to {3} mm, or {4}.</source>
+   <translation>Scharnier {0}: kein Finger von {1} mm passt in Platte {2}; BondWidth auf {3} mm oder {4} einstellen.</translation>
+  </message>
+  <message>
+   <source>Hinge {0}: {1} left between its vertices and {2}</source>
+   <translation>Scharnier {0}: {1} zwischen seinen Ecken, und {2}</translation>
+  </message>
+  <message>
+   <source>HingeType of {0} is Flexible: strips that bend have no deployed solid to slice, set HingeType to Rotational.</source>
+   <translation>HingeType von {0} ist Flexible: Streifen, die sich biegen, haben keinen entfalteten Körper zum Slicen; HingeType auf Rotational stellen.</translation>
+  </message>
+  <message>
+   <source>HingeType {0} is unknown: use Rotational or Flexible.</source>
+   <translation>HingeType {0} ist unbekannt: Rotational oder Flexible verwenden.</translation>
+  </message>
+  <message>
+   <source>Hinges{0} cannot be shifted so that the unit closes when deployed (at {1}°): make FaceThickness and GapBetweenPlanes smaller (their sum is {2} mm), EdgeLength longer than {3} mm, or Ratio larger; beyond 110° only less Gamma or a Ratio nearer to sin(theta/2) helps.</source>
+   <translation>Scharniere{0} lassen sich nicht so verschieben, dass die Einheit entfaltet schließt (bei {1}°): FaceThickness und GapBetweenPlanes verkleinern (ihre Summe ist {2} mm), EdgeLength länger als {3} mm machen oder Ratio vergrößern; jenseits von 110° hilft nur weniger Gamma oder ein Ratio näher an sin(theta/2).</translation>
+  </message>
+  <message>
+   <source>Kind {0} is unknown: use Vertex or NonDevelopableVertex.</source>
+   <translation>Kind {0} ist unbekannt: Vertex oder NonDevelopableVertex verwenden.</translation>
+  </message>
+  <message>
+   <source>Layers of {0} mm give every body its volume to {1}.</source>
+   <translation>Schichten von {0} mm geben jedem Körper sein Volumen auf {1} genau.</translation>
+  </message>
+  <message>
+   <source>Layers of {0} mm lay {1} mm² of {2} directly on {3}{4}, {5}.</source>
+   <translation>Schichten von {0} mm legen {1} mm² von {2} direkt auf {3}{4}, {5}.</translation>
+  </message>
+  <message>
+   <source>Layers of {0} mm make {1} {2} of its volume: its flat faces lie up to {3} mm off the layers.</source>
+   <translation>Schichten von {0} mm geben {1} {2} seines Volumens: seine flachen Seiten liegen bis zu {3} mm neben den Schichten.</translation>
+  </message>
+  <message>
+   <source>LengthX and LengthY {0} times larger</source>
+   <translation>LengthX und LengthY {0}-mal so groß</translation>
+  </message>
+  <message>
+   <source>Level: legs through a viewpoint have no level; switch Level off.</source>
+   <translation>Level: Schenkel durch einen Blickpunkt liegen nicht waagerecht; Level ausschalten.</translation>
+  </message>
+  <message>
+   <source>Make the curve gentler or longer.</source>
+   <translation>Die Kurve sanfter oder länger machen.</translation>
+  </message>
+  <message>
+   <source>Make the curve gentler, or the panels thinner.</source>
+   <translation>Die Kurve sanfter oder die Platten dünner machen.</translation>
+  </message>
+  <message>
+   <source>Make the curve gentler.</source>
+   <translation>Die Kurve sanfter machen.</translation>
+  </message>
+  <message>
+   <source>Make the curve longer, or the bed higher so that more, shorter units stack up.</source>
+   <translation>Die Kurve länger machen oder das Bett höher, damit sich mehr, kürzere Einheiten stapeln.</translation>
+  </message>
+  <message>
+   <source>Make the panels thinner, the curve shorter (or cut it into parts), or use a higher bed.</source>
+   <translation>Die Platten dünner oder die Kurve kürzer machen (oder sie in Teile schneiden) oder ein höheres Bett verwenden.</translation>
+  </message>
+  <message>
+   <source>No isometric unit was found for the contacts{0} (residual {1}): make EdgeLength shorter, move Ruling nearer to square with the curve, or raise Ratio.</source>
+   <translation>Keine isometrische Einheit gefunden für die Kontakte{0} (Restfehler {1}): EdgeLength verkürzen, Ruling mehr quer zur Kurve stellen oder Ratio erhöhen.</translation>
+  </message>
+  <message>
+   <source>No smooth curve runs through these points: remove points that lie on each other.</source>
+   <translation>Keine glatte Kurve läuft durch diese Punkte: Punkte entfernen, die aufeinander liegen.</translation>
+  </message>
+  <message>
+   <source>No wall is thinner than the nozzle, no floor thinner than a layer.</source>
+   <translation>Keine Wand ist dünner als die Düse, kein Boden dünner als eine Schicht.</translation>
+  </message>
+  <message>
+   <source>Not even one unit, {0} × {1} × {2} mm large, fits the bed of {3}.</source>
+   <translation>Nicht einmal eine Einheit, {0} × {1} × {2} mm groß, passt auf das Bett von {3}.</translation>
+  </message>
+  <message>
+   <source>Nothing fits. {0} combinations tried; {1}. {2}</source>
+   <translation>Nichts passt. {0} Kombinationen versucht; {1}. {2}</translation>
+  </message>
+  <message>
+   <source>Nothing is laid over air.</source>
+   <translation>Nichts liegt über Luft.</translation>
+  </message>
+  <message>
+   <source>Nothing is selected to export: choose one or more objects.</source>
+   <translation>Nichts zum Exportieren ausgewählt: ein oder mehrere Objekte wählen.</translation>
+  </message>
+  <message>
+   <source>Omega is {0}°: set it to 90° for a plane unit, or above 0° and below 90° for a unit on a sphere.</source>
+   <translation>Omega ist {0}°: auf 90° für eine ebene Einheit einstellen, oder über 0° und unter 90° für eine Einheit auf einer Kugel.</translation>
+  </message>
+  <message>
+   <source>On the toolpaths of the slicer the {0} bodies {1}.</source>
+   <translation>Auf den Werkzeugwegen des Slicers: {0} Körper {1}.</translation>
+  </message>
+  <message>
+   <source>OpenSCAD agrees: {0} closed bodies of {1} mm³ ({2} off ours).</source>
+   <translation>OpenSCAD stimmt zu: {0} geschlossene Körper von {1} mm³ ({2} Abweichung von unseren).</translation>
+  </message>
+  <message>
+   <source>OpenSCAD does not accept the mesh: {0}</source>
+   <translation>OpenSCAD nimmt das Netz nicht an: {0}</translation>
+  </message>
+  <message>
+   <source>OpenSCAD finds {0} separate bodies where there are {1}.</source>
+   <translation>OpenSCAD findet {0} getrennte Körper, wo es {1} sind.</translation>
+  </message>
+  <message>
+   <source>OpenSCAD made nothing: {0}</source>
+   <translation>OpenSCAD hat nichts erzeugt: {0}</translation>
+  </message>
+  <message>
+   <source>OpenSCAD measures {0} mm³, {1} off our {2} mm³.</source>
+   <translation>OpenSCAD misst {0} mm³, {1} neben unseren {2} mm³.</translation>
+  </message>
+  <message>
+   <source>OpenSCAD was not found: install it (openscad.org), or put its path into the environment variable OPENSCAD.</source>
+   <translation>OpenSCAD wurde nicht gefunden: es installieren (openscad.org) oder seinen Pfad in die Umgebungsvariable OPENSCAD schreiben.</translation>
+  </message>
+  <message>
+   <source>Opening angle theta{0} is {1}°: it must lie between 0° and 180°.</source>
+   <translation>Öffnungswinkel theta{0} ist {1}°: er muss zwischen 0° und 180° liegen.</translation>
+  </message>
+  <message>
+   <source>Opening angle theta{0} is {1}°: on a sphere it must be above 0° and below 60°; use a smaller Gamma, a shorter EdgeLength or a gentler curve.</source>
+   <translation>Öffnungswinkel theta{0} ist {1}°: auf einer Kugel muss er über 0° und unter 60° liegen; ein kleineres Gamma, eine kürzere EdgeLength oder eine sanftere Kurve verwenden.</translation>
+  </message>
+  <message>
+   <source>Panel {0} is too large for the sheet: choose a larger sheet.</source>
+   <translation>Fläche {0} ist zu groß für den Bogen: einen größeren Bogen wählen.</translation>
+  </message>
+  <message>
+   <source>Panel {0}: cut back by {1} mm at every edge, no edge is left at hinge {2}</source>
+   <translation>Platte {0}: an jeder Kante um {1} mm gekürzt, bleibt an Scharnier {2} keine Kante übrig</translation>
+  </message>
+  <message>
+   <source>Panels{0} would open inside out, through one another: swap its left and right contact panels.</source>
+   <translation>Platten{0} würden sich verkehrt herum öffnen, durcheinander hindurch: linke und rechte Kontaktplatten vertauschen.</translation>
+  </message>
+  <message>
+   <source>Pivot {0} is unknown: use Cone or Pin.</source>
+   <translation>Pivot {0} ist unbekannt: Cone oder Pin verwenden.</translation>
+  </message>
+  <message>
+   <source>Plates are {0} mm apart beside the hinge, less than a layer: raise GapBetweenPlanes to {1} mm, or RotationAngle.</source>
+   <translation>Platten haben neben dem Scharnier {0} mm Abstand, weniger als eine Schicht: GapBetweenPlanes auf {1} mm erhöhen, oder RotationAngle erhöhen.</translation>
+  </message>
+  <message>
+   <source>Play of a hinge is {0} mm: it cannot be negative.</source>
+   <translation>Das Spiel eines Scharniers ist {0} mm: es kann nicht negativ sein.</translation>
+  </message>
+  <message>
+   <source>Points reach {0} mm from the top of the sphere, beyond its bottom at {1} mm: make SphereRadius larger or the curve smaller.</source>
+   <translation>Points reichen {0} mm von der Oberseite der Kugel weg, über ihre Unterseite bei {1} mm hinaus: SphereRadius vergrößern oder die Kurve verkleinern.</translation>
+  </message>
+  <message>
+   <source>Points: a curve needs at least two control points of 2 or 3 coordinates each; add control points.</source>
+   <translation>Points: eine Kurve braucht mindestens zwei Kontrollpunkte mit je 2 oder 3 Koordinaten; Kontrollpunkte hinzufügen.</translation>
+  </message>
+  <message>
+   <source>Points: control point {0} has a coordinate that is not a finite number; give it numbers in mm.</source>
+   <translation>Points: Kontrollpunkt {0} hat eine Koordinate, die keine endliche Zahl ist; Zahlen in mm angeben.</translation>
+  </message>
+  <message>
+   <source>Points: control points {0} and {1} coincide; move one of them or remove it.</source>
+   <translation>Points: die Kontrollpunkte {0} und {1} fallen zusammen; einen davon verschieben oder entfernen.</translation>
+  </message>
+  <message>
+   <source>Poses{0} cannot be found at {1} of its opening: make FaceThickness and GapBetweenPlanes smaller (their sum is {2} mm), EdgeLength longer than {3} mm, or Ratio larger.</source>
+   <translation>Lagen{0} lassen sich bei {1} der Öffnung nicht finden: FaceThickness und GapBetweenPlanes verkleinern (ihre Summe ist {2} mm), EdgeLength länger als {3} mm machen oder Ratio vergrößern.</translation>
+  </message>
+  <message>
+   <source>Preset {0} is unknown: choose one of {1}.</source>
+   <translation>Preset {0} ist unbekannt: eines von {1} wählen.</translation>
+  </message>
+  <message>
+   <source>PrusaSlicer made no toolpaths, it says {0}: change that, or slice the exported STL by hand to see more.</source>
+   <translation>PrusaSlicer hat keine Werkzeugwege erzeugt, es sagt {0}: das ändern, oder das exportierte STL von Hand slicen, um mehr zu sehen.</translation>
+  </message>
+  <message>
+   <source>PrusaSlicer was not found: install it (Debian: apt install prusa-slicer), or set the environment variable {0} to its path.</source>
+   <translation>PrusaSlicer wurde nicht gefunden: es installieren (Debian: apt install prusa-slicer) oder die Umgebungsvariable {0} auf seinen Pfad setzen.</translation>
+  </message>
+  <message>
+   <source>Ratio rule {0} is unknown on a sphere: use 'exact' or 'paper'.</source>
+   <translation>Verhältnisregel {0} ist auf einer Kugel unbekannt: 'exact' oder 'paper' verwenden.</translation>
+  </message>
+  <message>
+   <source>RatioRule {0} does not close on a sphere, where theta leaves no choice of ratio: choose Exact (or Paper for the paper's 1/2).</source>
+   <translation>RatioRule {0} schließt nicht auf einer Kugel, wo theta das Verhältnis festlegt: Exact wählen (oder Paper für das 1/2 des Aufsatzes).</translation>
+  </message>
+  <message>
+   <source>RatioRule {0} is unknown: choose one of {1}.</source>
+   <translation>RatioRule {0} ist unbekannt: eine von {1} wählen.</translation>
+  </message>
+  <message>
+   <source>RatioShare is {0}: it must be at least 0 and below 1; 0.05 to 0.2 is usual, smaller snaps harder.</source>
+   <translation>RatioShare ist {0}: es muss mindestens 0 und unter 1 sein; 0.05 bis 0.2 ist üblich, kleiner schnappt härter.</translation>
+  </message>
+  <message>
+   <source>Ratio{0} is {1}: for theta {2}° it must be at least sin(theta/2) = {3} and below 1; change Ratio or make theta smaller (shorter edge or smaller Gamma).</source>
+   <translation>Ratio{0} ist {1}: für theta {2}° muss es mindestens sin(theta/2) = {3} und unter 1 sein; Ratio ändern oder theta verkleinern (kürzere Kante oder kleineres Gamma).</translation>
+  </message>
+  <message>
+   <source>RotationAngle is {0}°: a tube is printed flat-folded, set it to 0°; coupons can be printed partly open.</source>
+   <translation>RotationAngle ist {0}°: ein Schlauch wird flach gefaltet gedruckt, auf 0° einstellen; Probestücke können teilweise geöffnet gedruckt werden.</translation>
+  </message>
+  <message>
+   <source>RotationAngle is {0}°: set it between 0° and 180°.</source>
+   <translation>RotationAngle ist {0}°: zwischen 0° und 180° einstellen.</translation>
+  </message>
+  <message>
+   <source>RotationAngle must be 0° for a flexible hinge: it is printed folded.</source>
+   <translation>RotationAngle muss für ein flexibles Scharnier 0° sein: es wird gefaltet gedruckt.</translation>
+  </message>
+  <message>
+   <source>RotationAngle must be 0° for a four-degree vertex: it is printed flat-folded.</source>
+   <translation>RotationAngle muss für eine Ecke aus vier Platten 0° sein: sie wird flach gefaltet gedruckt.</translation>
+  </message>
+  <message>
+   <source>Ruling: give ('parallel', direction) or ('point', V) with 3 numbers.</source>
+   <translation>Ruling: ('parallel', Richtung) oder ('point', V) mit 3 Zahlen angeben.</translation>
+  </message>
+  <message>
+   <source>Ruling: seen along the legs the curve overlaps itself: {0} lies in front of {1}; choose another direction or viewpoint for Ruling, or move these parts of the curve apart.</source>
+   <translation>Ruling: entlang der Schenkel gesehen überdeckt die Kurve sich selbst: {0} liegt vor {1}; eine andere Richtung oder einen anderen Blickpunkt für Ruling wählen oder diese Teile der Kurve auseinanderrücken.</translation>
+  </message>
+  <message>
+   <source>Ruling: the direction or viewpoint must be finite and not zero.</source>
+   <translation>Ruling: Richtung oder Blickpunkt müssen endlich und nicht null sein.</translation>
+  </message>
+  <message>
+   <source>Ruling: the legs run along the curve at its start; choose another direction or viewpoint for Ruling.</source>
+   <translation>Ruling: die Schenkel laufen am Anfang der Kurve entlang der Kurve; eine andere Richtung oder einen anderen Blickpunkt für Ruling wählen.</translation>
+  </message>
+  <message>
+   <source>Ruling: the legs run along the curve near {0} (at {1}°, {2}° is the least); choose another direction or viewpoint for Ruling.</source>
+   <translation>Ruling: die Schenkel laufen nahe {0} entlang der Kurve (bei {1}°, {2}° ist das Mindeste); eine andere Richtung oder einen anderen Blickpunkt für Ruling wählen.</translation>
+  </message>
+  <message>
+   <source>Ruling: the viewpoint {0} lies on the curve, {1} mm from {2}; move it away from the curve by more than {3} mm.</source>
+   <translation>Ruling: der Blickpunkt {0} liegt auf der Kurve, {1} mm von {2}; ihn um mehr als {3} mm von der Kurve wegrücken.</translation>
+  </message>
+  <message>
+   <source>Segmentations is {0}: knuckles alternate, so set it to an odd number, {1} for example.</source>
+   <translation>Segmentations ist {0}: die Glieder wechseln sich ab, darum eine ungerade Zahl einstellen, zum Beispiel {1}.</translation>
+  </message>
+  <message>
+   <source>Sheet {0} is unknown: use {1}, or width x height in mm such as 600x400, at least {2} x {3}.</source>
+   <translation>Bogen {0} ist unbekannt: {1} verwenden, oder Breite x Höhe in mm wie 600x400, mindestens {2} x {3}.</translation>
+  </message>
+  <message>
+   <source>Source {0} falls into {1} separate pieces: link one connected curve, or choose one of its edges.</source>
+   <translation>Source {0} zerfällt in {1} getrennte Stücke: eine zusammenhängende Kurve verknüpfen oder eine ihrer Kanten wählen.</translation>
+  </message>
+  <message>
+   <source>Source {0} has a kink of {1}° at ({2}) mm: round it with a fillet (or a tangent constraint), the units cannot follow a corner.</source>
+   <translation>Source {0} hat einen Knick von {1}° bei ({2}) mm: ihn verrunden (oder tangential anschließen), die Einheiten können keiner Ecke folgen.</translation>
+  </message>
+  <message>
+   <source>Source {0} has no edge: link an edge, a wire, a sketch or a Draft curve.</source>
+   <translation>Source {0} hat keine Kante: eine Kante, einen Draht, eine Skizze oder eine Draft-Kurve verknüpfen.</translation>
+  </message>
+  <message>
+   <source>Source {0} has no element {1} any more: choose its edge again.</source>
+   <translation>Source {0} hat kein Element {1} mehr: die Kante neu wählen.</translation>
+  </message>
+  <message>
+   <source>Source {0}: {1} is not an edge; choose an edge or a wire.</source>
+   <translation>Source {0}: {1} ist keine Kante; eine Kante oder einen Draht wählen.</translation>
+  </message>
+  <message>
+   <source>SphereRadius is {0} mm: give the sphere a radius above 0 and a finite SphereCenter.</source>
+   <translation>SphereRadius ist {0} mm: der Kugel einen Radius über 0 und ein endliches SphereCenter geben.</translation>
+  </message>
+  <message>
+   <source>Strip height h</source>
+   <translation>Streifenhöhe h</translation>
+  </message>
+  <message>
+   <source>Strip height h = {0} is too large for omega {1}°: the inner base vanishes at {2}; raise HeightRatio or omega (a larger sphere).</source>
+   <translation>Streifenhöhe h = {0} ist zu groß für omega {1}°: die innere Grundseite verschwindet bei {2}; HeightRatio oder omega erhöhen (eine größere Kugel).</translation>
+  </message>
+  <message>
+   <source>Strip height h = {0}{1} does not fit between the curve and the point where the legs of its thick panels meet, {2} away: raise HeightRatio, make the panels thinner (FaceThickness, GapBetweenPlanes) or Gamma larger.</source>
+   <translation>Streifenhöhe h = {0}{1} passt nicht zwischen die Kurve und den Punkt, in dem sich die Schenkel ihrer dicken Platten treffen, {2} entfernt: HeightRatio erhöhen, die Platten dünner machen (FaceThickness, GapBetweenPlanes) oder Gamma vergrößern.</translation>
+  </message>
+  <message>
+   <source>Strip height h = {0}{1} does not fit between the curve and the viewpoint, which is {2} away: raise HeightRatio or move Ruling's viewpoint away.</source>
+   <translation>Streifenhöhe h = {0}{1} passt nicht zwischen die Kurve und den Blickpunkt, der {2} entfernt ist: HeightRatio erhöhen oder den Blickpunkt von Ruling weiter weg setzen.</translation>
+  </message>
+  <message>
+   <source>Strip height h is {0}: set HeightRatio ‖AB‖/h to a number above 0.</source>
+   <translation>Streifenhöhe h ist {0}: HeightRatio ‖AB‖/h auf eine Zahl über 0 einstellen.</translation>
+  </message>
+  <message>
+   <source>Tabs are {0} mm deep: give 0 for none, or 4 to 10 mm.</source>
+   <translation>Laschen sind {0} mm tief: 0 für keine oder 4 bis 10 mm angeben.</translation>
+  </message>
+  <message>
+   <source>TargetBarrier is {0}: set it above 0, in EA·‖AB‖; 1e-6 is weak, 1e-4 strong.</source>
+   <translation>TargetBarrier ist {0}: über 0 einstellen, in EA·‖AB‖; 1e-6 ist schwach, 1e-4 stark.</translation>
+  </message>
+  <message>
+   <source>The blocks{0} lean so much that their planes meet on the wrong side: make EdgeLength shorter or move Ruling's viewpoint nearer to square with the curve.</source>
+   <translation>Die Blöcke{0} neigen sich so stark, dass sich ihre Ebenen auf der falschen Seite treffen: EdgeLength verkürzen oder den Blickpunkt von Ruling mehr quer zur Kurve stellen.</translation>
+  </message>
+  <message>
+   <source>The cones hang over by {0}° from the vertical and print without support.</source>
+   <translation>Die Kegel hängen um {0}° aus der Senkrechten über und lassen sich ohne Stütze drucken.</translation>
+  </message>
+  <message>
+   <source>The cones of {0} hang over by {1}° from the vertical, more than the {2}° that print without support.</source>
+   <translation>Die Kegel von {0} hängen um {1}° aus der Senkrechten über, mehr als die {2}°, die sich ohne Stütze drucken lassen.</translation>
+  </message>
+  <message>
+   <source>The contacts{0} open by {1}° about the leg at B: the opening must lie between 0° and 180°; use a larger Gamma or EdgeLength.</source>
+   <translation>Die Kontakte{0} öffnen sich um {1}° um den Schenkel bei B: die Öffnung muss zwischen 0° und 180° liegen; ein größeres Gamma oder eine größere EdgeLength verwenden.</translation>
+  </message>
+  <message>
+   <source>The deployed state{0} does not fold flat: its panels are too thick and lock on the way; make FaceThickness and GapBetweenPlanes smaller (their sum is {1} mm), EdgeLength longer than {2} mm, or Ratio larger.</source>
+   <translation>Der entfaltete Zustand{0} lässt sich nicht flach falten: seine Platten sind zu dick und verklemmen unterwegs; FaceThickness und GapBetweenPlanes verkleinern (ihre Summe ist {1} mm), EdgeLength länger als {2} mm machen oder Ratio vergrößern.</translation>
+  </message>
+  <message>
+   <source>The faces of body {0} do not close.</source>
+   <translation>Die Flächen von Körper {0} schließen nicht.</translation>
+  </message>
+  <message>
+   <source>The folder {0} cannot be written: choose another one.</source>
+   <translation>In den Ordner {0} kann nicht geschrieben werden: einen anderen wählen.</translation>
+  </message>
+  <message>
+   <source>The legs{0} are neither parallel nor all through one point (by {1}): a flat-foldable unit needs one Ruling, a direction or a viewpoint, for both contacts.</source>
+   <translation>Die Schenkel{0} sind weder parallel noch gehen sie alle durch einen Punkt (um {1}): eine flach faltbare Einheit braucht ein Ruling, eine Richtung oder einen Blickpunkt, für beide Kontakte.</translation>
+  </message>
+  <message>
+   <source>The mesh of {0} has {1} mm³, {2} off its solid's {3} mm³.</source>
+   <translation>Das Netz von {0} hat {1} mm³, {2} neben den {3} mm³ seines Körpers.</translation>
+  </message>
+  <message>
+   <source>The mesh of {0} {1}.</source>
+   <translation>Das Netz von {0} {1}.</translation>
+  </message>
+  <message>
+   <source>The nearest two moving bodies are {0} apart in the flat print.</source>
+   <translation>Die nächsten zwei beweglichen Körper haben im flachen Druck {0} Abstand.</translation>
+  </message>
+  <message>
+   <source>The print has {0} separate parts instead of {1} bodies.</source>
+   <translation>Der Druck hat {0} getrennte Teile statt {1} Körper.</translation>
+  </message>
+  <message>
+   <source>The print is {0} large and fits the bed of {1}{2}.</source>
+   <translation>Der Druck ist {0} groß und passt auf das Bett von {1}{2}.</translation>
+  </message>
+  <message>
+   <source>The print of {0} units is {1} large, too large for the bed of {2}: {3} units fit.</source>
+   <translation>Der Druck von {0} Einheiten ist {1} groß, zu groß für das Bett von {2}: {3} Einheiten passen.</translation>
+  </message>
+  <message>
+   <source>The two contact quadrilaterals{0} do not share the leg at B: give both with the corners A_upper, B_upper, B_lower, A_lower and the same B_upper and B_lower.</source>
+   <translation>Die beiden Kontaktvierecke{0} haben nicht denselben Schenkel bei B: beide mit den Ecken A_upper, B_upper, B_lower, A_lower und denselben B_upper und B_lower angeben.</translation>
+  </message>
+  <message>
+   <source>The unit</source>
+   <translation>Die Einheit</translation>
+  </message>
+  <message>
+   <source>The unit snaps</source>
+   <translation>Die Einheit schnappt</translation>
+  </message>
+  <message>
+   <source>The unit's pitch is {0} mm and the hinges' {1} mm: give both the same FaceThickness and GapBetweenPlanes.</source>
+   <translation>Der Ebenenabstand der Einheit ist {0} mm und der der Scharniere {1} mm: beiden dieselben FaceThickness und GapBetweenPlanes geben.</translation>
+  </message>
+  <message>
+   <source>There is no file {0}: check its name and folder.</source>
+   <translation>Es gibt keine Datei {0}: Namen und Ordner prüfen.</translation>
+  </message>
+  <message>
+   <source>There is no folder {0}: make it, or choose another one.</source>
+   <translation>Es gibt keinen Ordner {0}: ihn anlegen oder einen anderen wählen.</translation>
+  </message>
+  <message>
+   <source>There is no sheet {0}: choose page 1 to {1}, or none.</source>
+   <translation>Es gibt keinen Bogen {0}: Seite 1 bis {1} wählen, oder keine.</translation>
+  </message>
+  <message>
+   <source>Thickness of {0} is 0 mm, and without thickness there is no snap margin: set it to face thickness + gap between planes, 1.8 mm for example, or aim for a TargetBarrier.</source>
+   <translation>Thickness von {0} ist 0 mm, und ohne Dicke gibt es keine Schnappreserve: auf Plattendicke + Abstand der Ebenen einstellen, zum Beispiel 1.8 mm, oder TargetBarrier als Ziel nehmen.</translation>
+  </message>
+  <message>
+   <source>Thickness: panels of pitch {0} mm are too thick for the unit of theta {1}° and EdgeLength {2} mm; make Thickness smaller, EdgeLength longer or Gamma larger.</source>
+   <translation>Thickness: Platten mit Ebenenabstand {0} mm sind zu dick für die Einheit mit theta {1}° und EdgeLength {2} mm; Thickness verkleinern, EdgeLength verlängern oder Gamma vergrößern.</translation>
+  </message>
+  <message>
+   <source>Thickness: the pitch of the panels is {0} mm; it must be at least 0 and below a quarter of EdgeLength ({1} mm).</source>
+   <translation>Thickness: der Ebenenabstand der Platten ist {0} mm; er muss mindestens 0 und kleiner als ein Viertel von EdgeLength sein ({1} mm).</translation>
+  </message>
+  <message>
+   <source>Unit {0}</source>
+   <translation>Einheit {0}</translation>
+  </message>
+  <message>
+   <source>Unit {0}: {1}</source>
+   <translation>Einheit {0}: {1}</translation>
+  </message>
+  <message>
+   <source>Unit {0}: {1} It is {2} x {3} mm.</source>
+   <translation>Einheit {0}: {1} Er hat {2} x {3} mm.</translation>
+  </message>
+  <message>
+   <source>Unit {0}{1}</source>
+   <translation>Einheit {0}{1}</translation>
+  </message>
+  <message>
+   <source>Units {0} and {1} have no common contact panel: make EdgeLength larger.</source>
+   <translation>Die Einheiten {0} und {1} haben keine gemeinsame Kontaktplatte: EdgeLength vergrößern.</translation>
+  </message>
+  <message>
+   <source>Units {0}{1}</source>
+   <translation>Einheiten {0}{1}</translation>
+  </message>
+  <message>
+   <source>Use a larger bed, a larger HeightRatio or a shorter curve.</source>
+   <translation>Ein größeres Bett, ein größeres HeightRatio oder eine kürzere Kurve verwenden.</translation>
+  </message>
+  <message>
+   <source>a strip with fingers needs {0} mm</source>
+   <translation>ein Streifen mit Fingern braucht {0} mm</translation>
+  </message>
+  <message>
+   <source>all others snap too weakly: margin {0} at best, {1} wanted</source>
+   <translation>alle anderen schnappen zu schwach: Reserve bestenfalls {0}, gewünscht {1}</translation>
+  </message>
+  <message>
+   <source>another program</source>
+   <translation>einem anderen Programm</translation>
+  </message>
+  <message>
+   <source>are welded</source>
+   <translation>sind verschweißt</translation>
+  </message>
+  <message>
+   <source>at least {0} mm</source>
+   <translation>mindestens {0} mm</translation>
+  </message>
+  <message>
+   <source>at rest</source>
+   <translation>in Ruhe</translation>
+  </message>
+  <message>
+   <source>cannot follow the curve: {0}, as “{1}”</source>
+   <translation>können der Kurve nicht folgen: {0}, wie „{1}“</translation>
+  </message>
+  <message>
+   <source>choose RatioRule TargetSnap or a smaller ratio, or </source>
+   <translation>RatioRule TargetSnap oder ein kleineres Verhältnis wählen, oder </translation>
+  </message>
+  <message>
+   <source>choose a BistableUnit</source>
+   <translation>eine BistableUnit wählen</translation>
+  </message>
+  <message>
+   <source>choose a Curve of this workbench</source>
+   <translation>eine Curve dieses Arbeitsbereichs wählen</translation>
+  </message>
+  <message>
+   <source>choose a TrianglePlacement of this workbench, or none for a single unit</source>
+   <translation>eine TrianglePlacement dieses Arbeitsbereichs wählen, oder keine für eine einzelne Einheit</translation>
+  </message>
+  <message>
+   <source>choose another folder</source>
+   <translation>einen anderen Ordner wählen</translation>
+  </message>
+  <message>
+   <source>crosses itself at {0} places</source>
+   <translation>durchdringt sich selbst an {0} Stellen</translation>
+  </message>
+  <message>
+   <source>deployed</source>
+   <translation>entfaltet</translation>
+  </message>
+  <message>
+   <source>deployment_frames is {0}: give a number of states from 0 to 10000.</source>
+   <translation>deployment_frames ist {0}: eine Anzahl von Zuständen von 0 bis 10000 angeben.</translation>
+  </message>
+  <message>
+   <source>do not overlap</source>
+   <translation>überlappen sich nicht</translation>
+  </message>
+  <message>
+   <source>do not touch anywhere</source>
+   <translation>berühren sich nirgends</translation>
+  </message>
+  <message>
+   <source>exit code {0}</source>
+   <translation>Rückgabewert {0}</translation>
+  </message>
+  <message>
+   <source>flat</source>
+   <translation>flach</translation>
+  </message>
+  <message>
+   <source>floor</source>
+   <translation>Boden</translation>
+  </message>
+  <message>
+   <source>free some space there</source>
+   <translation>dort Platz schaffen</translation>
+  </message>
+  <message>
+   <source>has triangles that face the wrong way</source>
+   <translation>hat Dreiecke, die nach der falschen Seite zeigen</translation>
+  </message>
+  <message>
+   <source>has {0} separate parts instead of one</source>
+   <translation>hat {0} getrennte Teile statt eines</translation>
+  </message>
+  <message>
+   <source>has {0} triangles without area</source>
+   <translation>hat {0} Dreiecke ohne Fläche</translation>
+  </message>
+  <message>
+   <source>in contact</source>
+   <translation>in Berührung</translation>
+  </message>
+  <message>
+   <source>instead of {0}</source>
+   <translation>statt {0}</translation>
+  </message>
+  <message>
+   <source>is inside out</source>
+   <translation>ist von innen nach außen gekehrt</translation>
+  </message>
+  <message>
+   <source>is not closed at {0} edges</source>
+   <translation>ist an {0} Kanten nicht geschlossen</translation>
+  </message>
+  <message>
+   <source>it has none</source>
+   <translation>er hat keine</translation>
+  </message>
+  <message>
+   <source>it has {0}</source>
+   <translation>er hat {0}</translation>
+  </message>
+  <message>
+   <source>layer</source>
+   <translation>eine Schicht</translation>
+  </message>
+  <message>
+   <source>leave more than a quarter of the curve uncovered: {0}</source>
+   <translation>lassen mehr als ein Viertel der Kurve frei: {0}</translation>
+  </message>
+  <message>
+   <source>let the slicer add support there</source>
+   <translation>den Slicer dort Stützen ergänzen lassen</translation>
+  </message>
+  <message>
+   <source>let the slicer add support there too</source>
+   <translation>den Slicer auch dort Stützen ergänzen lassen</translation>
+  </message>
+  <message>
+   <source>make ConeAngle {0}° or less</source>
+   <translation>ConeAngle auf {0}° oder weniger einstellen</translation>
+  </message>
+  <message>
+   <source>make EdgeLength at least {0} times shorter</source>
+   <translation>EdgeLength mindestens {0}-mal kürzer machen</translation>
+  </message>
+  <message>
+   <source>make EdgeLength larger, Ratio nearer to sin(theta/2), or GapLength smaller</source>
+   <translation>EdgeLength vergrößern, Ratio näher an sin(theta/2) bringen oder GapLength verkleinern</translation>
+  </message>
+  <message>
+   <source>make FaceThickness and GapBetweenPlanes multiples of {0} mm</source>
+   <translation>FaceThickness und GapBetweenPlanes auf Vielfache von {0} mm einstellen</translation>
+  </message>
+  <message>
+   <source>make FaceThickness and GapBetweenPlanes smaller (their sum is {0} mm), EdgeLength longer than {1} mm, or Ratio larger.</source>
+   <translation>FaceThickness und GapBetweenPlanes verkleinern (ihre Summe ist {0} mm), EdgeLength länger als {1} mm machen oder Ratio vergrößern.</translation>
+  </message>
+  <message>
+   <source>make FaceThickness larger</source>
+   <translation>FaceThickness vergrößern</translation>
+  </message>
+  <message>
+   <source>make GapBetweenPlanes larger than {0} mm, or EdgeLength longer</source>
+   <translation>GapBetweenPlanes über {0} mm vergrößern oder EdgeLength verlängern</translation>
+  </message>
+  <message>
+   <source>make GapLength larger than {0} mm</source>
+   <translation>GapLength über {0} mm vergrößern</translation>
+  </message>
+  <message>
+   <source>make LayerHeight smaller, or GapLength and GapBetweenPlanes larger</source>
+   <translation>LayerHeight verkleinern oder GapLength und GapBetweenPlanes vergrößern</translation>
+  </message>
+  <message>
+   <source>make the linear and angular deflection smaller</source>
+   <translation>die lineare und die Winkelabweichung verkleinern</translation>
+  </message>
+  <message>
+   <source>margin {0} at the least</source>
+   <translation>Reserve mindestens {0}</translation>
+  </message>
+  <message>
+   <source>might not come free</source>
+   <translation>lösen sich womöglich nicht</translation>
+  </message>
+  <message>
+   <source>more than {0} mm of play and snap</source>
+   <translation>mehr als {0} mm Spiel und Schnappen</translation>
+  </message>
+  <message>
+   <source>more would strain the panels beyond {0}</source>
+   <translation>mehr würde die Platten über {0} dehnen</translation>
+  </message>
+  <message>
+   <source>no length is</source>
+   <translation>keine Länge bleibt</translation>
+  </message>
+  <message>
+   <source>no suffix</source>
+   <translation>keine Endung</translation>
+  </message>
+  <message>
+   <source>nothing was written</source>
+   <translation>nichts wurde geschrieben</translation>
+  </message>
+  <message>
+   <source>nozzle</source>
+   <translation>die Düse</translation>
+  </message>
+  <message>
+   <source>one place is</source>
+   <translation>eine Stelle</translation>
+  </message>
+  <message>
+   <source>only {0} mm are</source>
+   <translation>nur {0} mm bleiben</translation>
+  </message>
+  <message>
+   <source>open wider than the 60° that a sphere allows: {0}</source>
+   <translation>öffnen weiter als die 60°, die eine Kugel erlaubt: {0}</translation>
+  </message>
+  <message>
+   <source>overlap by at most {0} mm</source>
+   <translation>überlappen sich um höchstens {0} mm</translation>
+  </message>
+  <message>
+   <source>print higher than {0} mm: {1}, the lowest {2} mm</source>
+   <translation>im Druck höher als {0} mm: {1}, die niedrigste {2} mm</translation>
+  </message>
+  <message>
+   <source>rebuild the solids, and report it if it stays so</source>
+   <translation>die Körper neu erstellen, und es melden, wenn es so bleibt</translation>
+  </message>
+  <message>
+   <source>see what the check of closed solids finds</source>
+   <translation>sehen, was die Prüfung der geschlossenen Körper findet</translation>
+  </message>
+  <message>
+   <source>see which bodies touch in the check of clearances</source>
+   <translation>in der Prüfung der Abstände sehen, welche Körper sich berühren</translation>
+  </message>
+  <message>
+   <source>set FaceThickness to {0} mm or more, or Pivot to Cone</source>
+   <translation>FaceThickness auf {0} mm oder mehr oder Pivot auf Cone einstellen</translation>
+  </message>
+  <message>
+   <source>set FirstUnit and LastUnit to print the parts {0}</source>
+   <translation>mit FirstUnit und LastUnit die Teile {0} drucken</translation>
+  </message>
+  <message>
+   <source>set HeightRatio ‖AB‖/h to a number above 0</source>
+   <translation>HeightRatio ‖AB‖/h auf eine Zahl über 0 einstellen</translation>
+  </message>
+  <message>
+   <source>set Orientation to Flat: on edge, slanted hinges lean their cones</source>
+   <translation>Orientation auf Flat stellen: hochkant neigen schräge Scharniere ihre Kegel</translation>
+  </message>
+  <message>
+   <source>set it above 0; 1.5 is firm, below 1 is floppy</source>
+   <translation>über 0 einstellen; 1.5 ist straff, unter 1 schlaff</translation>
+  </message>
+  <message>
+   <source>set it to a length above 0</source>
+   <translation>eine Länge über 0 einstellen</translation>
+  </message>
+  <message>
+   <source>set it to a length in mm above 0</source>
+   <translation>eine Länge in mm über 0 einstellen</translation>
+  </message>
+  <message>
+   <source>set it to what one hinge's clearance allows, 0.28 mm by default; hinges without play never turn floppy and need no target</source>
+   <translation>auf das einstellen, was die Luft eines Scharniers zulässt, normalerweise 0.28 mm; Scharniere ohne Spiel werden nie schlaff und brauchen kein Ziel</translation>
+  </message>
+  <message>
+   <source>set it to what the material bears, 0.02 for PLA</source>
+   <translation>auf das einstellen, was das Material erträgt, 0.02 für PLA</translation>
+  </message>
+  <message>
+   <source>split the tube at contact blocks into {0} prints of units {1}</source>
+   <translation>den Schlauch an Kontaktblöcken in {0} Drucke der Einheiten {1} teilen</translation>
+  </message>
+  <message>
+   <source>state is {0}: choose one of {1}.</source>
+   <translation>state ist {0}: eines von {1} wählen.</translation>
+  </message>
+  <message>
+   <source>switch Compensate on</source>
+   <translation>Compensate einschalten</translation>
+  </message>
+  <message>
+   <source>switch Compensate on, so that the hinges close</source>
+   <translation>Compensate einschalten, damit die Scharniere schließen</translation>
+  </message>
+  <message>
+   <source>switch Support on, or let the slicer fill the gaps with soluble support</source>
+   <translation>Support einschalten oder den Slicer die Spalte mit löslicher Stütze füllen lassen</translation>
+  </message>
+  <message>
+   <source>tan(alpha)*tan(beta){0} is {1}: it must be below 1/2, or the second triangle has no dart; make alpha or beta smaller.</source>
+   <translation>tan(alpha)*tan(beta){0} ist {1}: es muss unter 1/2 sein, sonst hat das zweite Dreieck keine Pfeilform; alpha oder beta verkleinern.</translation>
+  </message>
+  <message>
+   <source>the STEP writer did not finish</source>
+   <translation>das Schreiben der STEP-Datei wurde nicht fertig</translation>
+  </message>
+  <message>
+   <source>the strip height h (HeightRatio) so that h is {0} mm</source>
+   <translation>die Streifenhöhe h (HeightRatio) auf {0} mm</translation>
+  </message>
+  <message>
+   <source>the suffix {0}</source>
+   <translation>die Endung {0}</translation>
+  </message>
+  <message>
+   <source>their ratio is as near to sin(theta/2) as can be made (share {0})</source>
+   <translation>ihr Verhältnis ist so nah an sin(theta/2), wie es geht (Anteil {0})</translation>
+  </message>
+  <message>
+   <source>those that snap hard enough strain by {0} or more, beyond {1}</source>
+   <translation>die, die hart genug schnappen, dehnen sich um {0} oder mehr, über {1} hinaus</translation>
+  </message>
+  <message>
+   <source>three segments need {0} mm</source>
+   <translation>drei Glieder brauchen {0} mm</translation>
+  </message>
+  <message>
+   <source>too large for the bed of {0} × {1} mm: {2}, from EdgeLength {3} mm on</source>
+   <translation>zu groß für das Bett von {0} × {1} mm: {2}, ab EdgeLength {3} mm</translation>
+  </message>
+  <message>
+   <source>touch by at most {0} mm²</source>
+   <translation>berühren sich mit höchstens {0} mm²</translation>
+  </message>
+  <message>
+   <source>units cannot be made: {0}, as “{1}”</source>
+   <translation>Einheiten lassen sich nicht erstellen: {0}, wie „{1}“</translation>
+  </message>
+  <message>
+   <source>wall</source>
+   <translation>Wand</translation>
+  </message>
+  <message>
+   <source>which has to break free at the first opening</source>
+   <translation>was sich beim ersten Öffnen losbrechen muss</translation>
+  </message>
+  <message>
+   <source>which welds them</source>
+   <translation>was sie verschweißt</translation>
+  </message>
+  <message>
+   <source>without a second stable state</source>
+   <translation>ohne zweiten stabilen Zustand</translation>
+  </message>
+  <message>
+   <source>without thickness there is no snap margin: set it to face thickness + gap between planes, 1.8 mm for example, or aim for a TargetBarrier</source>
+   <translation>ohne Dicke gibt es keine Schnappreserve: auf Plattendicke + Abstand der Ebenen einstellen, zum Beispiel 1.8 mm, oder TargetBarrier als Ziel nehmen</translation>
+  </message>
+  <message>
+   <source>{0} (Also unit {1}.)</source>
+   <translation>{0} (Auch Einheit {1}.)</translation>
+  </message>
+  <message>
+   <source>{0} (Also units {1}.)</source>
+   <translation>{0} (Auch Einheiten {1}.)</translation>
+  </message>
+  <message>
+   <source>{0} and {1} are {2} in the flat print, less than the {3}, and would fuse.</source>
+   <translation>{0} und {1}: im flachen Druck {2}, weniger als die {3}, und würden verschmelzen.</translation>
+  </message>
+  <message>
+   <source>{0} and {1} run {2} mm into each other when opened to {3}, {4}.</source>
+   <translation>{0} und {1} dringen {2} mm ineinander, bei Öffnung {3}, {4}.</translation>
+  </message>
+  <message>
+   <source>{0} and {1} touch by {2} mm² on the toolpaths{3}, more than {4} mm², and {5}.</source>
+   <translation>{0} und {1} berühren sich auf den Werkzeugwegen mit {2} mm²{3}, mehr als {4} mm², und {5}.</translation>
+  </message>
+  <message>
+   <source>{0} are floppy: hinges with a play of {1} mm swallow the snap (snap margin about {2}, below 1); {3}make EdgeLength or Gamma larger.</source>
+   <translation>{0} sind schlaff: Scharniere mit einem Spiel von {1} mm schlucken das Schnappen (Schnappreserve etwa {2}, unter 1); {3}EdgeLength oder Gamma vergrößern.</translation>
+  </message>
+  <message>
+   <source>{0} are laid over air, all in strips narrower than the {1} mm that a printer spans; the largest are {2}.</source>
+   <translation>{0} liegen über Luft, alle in Streifen schmaler als die {1} mm, die ein Drucker überbrückt; die größten sind {2}.</translation>
+  </message>
+  <message>
+   <source>{0} are laid over air, where {1} wider than the {2} mm that a printer spans, the largest {3}.</source>
+   <translation>{0} liegen über Luft, davon {1} breiter als die {2} mm, die ein Drucker überbrückt, am größten {3}.</translation>
+  </message>
+  <message>
+   <source>{0} bodies start</source>
+   <translation>{0} Körper beginnen</translation>
+  </message>
+  <message>
+   <source>{0} cannot be read ({1}): check it.</source>
+   <translation>{0} lässt sich nicht lesen ({1}): die Datei prüfen.</translation>
+  </message>
+  <message>
+   <source>{0} cannot be read ({1}): export it again.</source>
+   <translation>{0} lässt sich nicht lesen ({1}): die Datei neu exportieren.</translation>
+  </message>
+  <message>
+   <source>{0} cannot be {1}: export it without a state.</source>
+   <translation>{0} kann nicht {1} sein: ohne Zustand exportieren.</translation>
+  </message>
+  <message>
+   <source>{0} cannot reach the energy barrier: {1} instead of {2} EA·‖AB‖; make Gamma larger: wider units snap harder.</source>
+   <translation>{0}: die Energieschwelle wird nicht erreicht, {1} statt {2} EA·‖AB‖; Gamma vergrößern: weitere Einheiten schnappen härter.</translation>
+  </message>
+  <message>
+   <source>{0} cannot reach the snap margin: {1} {2}{3}; {4}. Make EdgeLength about {5} mm, Gamma larger (wider units snap harder), or the play of the hinges {6} mm (steeper cones, smaller GapLength).</source>
+   <translation>{0}: die Schnappreserve wird nicht erreicht, {1} {2}{3}; {4}. EdgeLength auf etwa {5} mm einstellen, Gamma vergrößern (weitere Einheiten schnappen härter) oder das Spiel der Scharniere auf {6} mm verkleinern (steilere Kegel, kleinere GapLength).</translation>
+  </message>
+  <message>
+   <source>{0} export has no option {1}: {2}.</source>
+   <translation>Der Export nach {0} hat keine Option {1}: {2}.</translation>
+  </message>
+  <message>
+   <source>{0} has faces but no solid, and OpenSCAD is for solids: choose a HingeSet or a HingeCoupon.</source>
+   <translation>{0} hat Flächen, aber keinen Körper, und OpenSCAD ist für Körper: ein HingeSet oder einen HingeCoupon wählen.</translation>
+  </message>
+  <message>
+   <source>{0} has no curve {1}: it holds {2} ({3} mm long).</source>
+   <translation>{0} hat keine Kurve {1}: es sind {2} ({3} mm lang).</translation>
+  </message>
+  <message>
+   <source>{0} has no faces to export: choose a unit, a tube or a solid.</source>
+   <translation>{0} hat keine Flächen zum Exportieren: eine Einheit, einen Schlauch oder einen Körper wählen.</translation>
+  </message>
+  <message>
+   <source>{0} has no lines or no printing time as PrusaSlicer writes them: slice with it.</source>
+   <translation>{0} hat keine Linien oder keine Druckzeit, wie PrusaSlicer sie schreibt: damit slicen.</translation>
+  </message>
+  <message>
+   <source>{0} has no panels of zero thickness to write: choose a BistableUnit, or a HingeSet on one.</source>
+   <translation>{0} hat keine Flächen ohne Dicke zum Schreiben: eine BistableUnit wählen, oder ein HingeSet darauf.</translation>
+  </message>
+  <message>
+   <source>{0} has no second stable state: its hinges' misfit rises all the way, to {1} mm; switch Compensate on.</source>
+   <translation>{0} hat keinen zweiten stabilen Zustand: der Passfehler der Scharniere steigt auf dem ganzen Weg, bis {1} mm; Compensate einschalten.</translation>
+  </message>
+  <message>
+   <source>{0} has no shape to export: choose a unit, a tube or a solid.</source>
+   <translation>{0} hat keine Form zum Exportieren: eine Einheit, einen Schlauch oder einen Körper wählen.</translation>
+  </message>
+  <message>
+   <source>{0} has no unit {1}: choose 1 to {2}.</source>
+   <translation>{0} hat keine Einheit {1}: 1 bis {2} wählen.</translation>
+  </message>
+  <message>
+   <source>{0} has {1} different points: give one point a row, x, y and perhaps z in mm, two rows or more.</source>
+   <translation>{0} hat {1} verschiedene Punkte: einen Punkt je Zeile angeben, x, y und eventuell z in mm, zwei Zeilen oder mehr.</translation>
+  </message>
+  <message>
+   <source>{0} has {1}: choose one of {2}.</source>
+   <translation>{0} hat {1}: eine von {2} wählen.</translation>
+  </message>
+  <message>
+   <source>{0} has {1}: name the file with one of {2}.</source>
+   <translation>{0} hat {1}: der Datei eine der Endungen {2} geben.</translation>
+  </message>
+  <message>
+   <source>{0} holds no line or curve: draw one path, and export it again.</source>
+   <translation>{0} enthält keine Linie oder Kurve: einen Pfad zeichnen und neu exportieren.</translation>
+  </message>
+  <message>
+   <source>{0} holds {1} separate curves ({2} mm long): join them, or choose one by its number.</source>
+   <translation>{0} enthält {1} getrennte Kurven ({2} mm lang): sie verbinden oder eine nach ihrer Nummer wählen.</translation>
+  </message>
+  <message>
+   <source>{0} holds {1} units: say which, 1 to {2}.</source>
+   <translation>{0} enthält {1} Einheiten: angeben, welche, 1 bis {2}.</translation>
+  </message>
+  <message>
+   <source>{0} in mid-air{1}, {2} mm above the bed and more than {3} mm above anything else.</source>
+   <translation>{0} mitten in der Luft{1}, {2} mm über dem Bett und mehr als {3} mm über allem anderen.</translation>
+  </message>
+  <message>
+   <source>{0} is a folder: add a file name to it.</source>
+   <translation>{0} ist ein Ordner: einen Dateinamen anhängen.</translation>
+  </message>
+  <message>
+   <source>{0} is empty: {1}.</source>
+   <translation>{0} ist leer: {1}.</translation>
+  </message>
+  <message>
+   <source>{0} is floppy: hinges with a play of {1} mm swallow the snap (snap margin about {2}, below 1); {3}make EdgeLength or Gamma larger.</source>
+   <translation>{0} ist schlaff: Scharniere mit einem Spiel von {1} mm schlucken das Schnappen (Schnappreserve etwa {2}, unter 1); {3}EdgeLength oder Gamma vergrößern.</translation>
+  </message>
+  <message>
+   <source>{0} is floppy: its hinges play by {1} mm and {2} mm is enough to open it without strain (snap margin {3}); make EdgeLength larger, Ratio nearer to sin(theta/2), the cones steeper, GapLength smaller, or use flexible hinges, which have no play.</source>
+   <translation>{0} ist schlaff: ihre Scharniere haben {1} mm Spiel, und {2} mm reichen, um sie ohne Dehnung zu öffnen (Schnappreserve {3}); EdgeLength vergrößern, Ratio näher an sin(theta/2) bringen, die Kegel steiler machen, GapLength verkleinern oder flexible Scharniere verwenden, die kein Spiel haben.</translation>
+  </message>
+  <message>
+   <source>{0} is invalid, correct it first: {1}</source>
+   <translation>{0} ist ungültig, zuerst berichtigen: {1}</translation>
+  </message>
+  <message>
+   <source>{0} is no name of a report: let it end in .html.</source>
+   <translation>{0} ist kein Name für einen Bericht: auf .html enden lassen.</translation>
+  </message>
+  <message>
+   <source>{0} is no tube: choose a BistableUnit, a HingeSet or a HingeCoupon.</source>
+   <translation>{0} ist kein Schlauch: eine BistableUnit, ein HingeSet oder einen HingeCoupon wählen.</translation>
+  </message>
+  <message>
+   <source>{0} is not a FOLD file: choose a file that is.</source>
+   <translation>{0} ist keine FOLD-Datei: eine wählen, die es ist.</translation>
+  </message>
+  <message>
+   <source>{0} is not a closed solid, which 3MF needs: choose the hinged solids, or export to STL, OBJ or STEP.</source>
+   <translation>{0} ist kein geschlossener Körper, den 3MF braucht: die Körper mit Scharnieren wählen oder nach STL, OBJ oder STEP exportieren.</translation>
+  </message>
+  <message>
+   <source>{0} is not a text file: choose a {1} file.</source>
+   <translation>{0} ist keine Textdatei: eine Datei der Art {1} wählen.</translation>
+  </message>
+  <message>
+   <source>{0} is not a type of the Bistable workbench.</source>
+   <translation>{0} ist kein Typ des Arbeitsbereichs Bistable.</translation>
+  </message>
+  <message>
+   <source>{0} is not a whole DXF file: export it again, as DXF R12 to 2018.</source>
+   <translation>{0} ist keine ganze DXF-Datei: neu exportieren, als DXF R12 bis 2018.</translation>
+  </message>
+  <message>
+   <source>{0} is not a whole FOLD file ({1}): save it again.</source>
+   <translation>{0} ist keine ganze FOLD-Datei ({1}): neu speichern.</translation>
+  </message>
+  <message>
+   <source>{0} is not a whole SVG file ({1}): save it again.</source>
+   <translation>{0} ist keine ganze SVG-Datei ({1}): neu speichern.</translation>
+  </message>
+  <message>
+   <source>{0} is not an SVG file: choose one, or another suffix.</source>
+   <translation>{0} ist keine SVG-Datei: eine wählen, oder eine andere Endung.</translation>
+  </message>
+  <message>
+   <source>{0} is not computed yet: recompute the document first.</source>
+   <translation>{0} ist noch nicht berechnet: zuerst das Dokument neu berechnen.</translation>
+  </message>
+  <message>
+   <source>{0} is not computed yet: recompute the document, then export.</source>
+   <translation>{0} ist noch nicht berechnet: das Dokument neu berechnen, dann exportieren.</translation>
+  </message>
+  <message>
+   <source>{0} is not in mm (column {1}): convert it to mm first.</source>
+   <translation>{0} ist nicht in mm (Spalte {1}): zuerst in mm umrechnen.</translation>
+  </message>
+  <message>
+   <source>{0} is {1} mm: set it to a length above 0.</source>
+   <translation>{0} ist {1} mm: eine Länge über 0 einstellen.</translation>
+  </message>
+  <message>
+   <source>{0} is {1}, which is no program: set it to the path of PrusaSlicer.</source>
+   <translation>{0} ist {1}, und das ist kein Programm: den Pfad von PrusaSlicer angeben.</translation>
+  </message>
+  <message>
+   <source>{0} is {1}: set it to a number above 0.</source>
+   <translation>{0} ist {1}: eine Zahl über 0 einstellen.</translation>
+  </message>
+  <message>
+   <source>{0} is {1}: {2}.</source>
+   <translation>{0} ist {1}: {2}.</translation>
+  </message>
+  <message>
+   <source>{0} links to {1} ({2}): {3}.</source>
+   <translation>{0} verweist auf {1} ({2}): {3}.</translation>
+  </message>
+  <message>
+   <source>{0} mm apart</source>
+   <translation>{0} mm voneinander entfernt</translation>
+  </message>
+  <message>
+   <source>{0} mm asked for</source>
+   <translation>verlangten {0} mm</translation>
+  </message>
+  <message>
+   <source>{0} mm that a slicer keeps open</source>
+   <translation>{0} mm, die ein Slicer offen hält</translation>
+  </message>
+  <message>
+   <source>{0} mm² of {1} at a height of {2} mm</source>
+   <translation>{0} mm² von {1} in {2} mm Höhe</translation>
+  </message>
+  <message>
+   <source>{0} of the sliced lines lie in none of the bodies: slice the print that the bodies are of, without moving it on the bed.</source>
+   <translation>{0} der geslicten Linien liegen in keinem der Körper: den Druck slicen, zu dem die Körper gehören, ohne ihn auf dem Bett zu verschieben.</translation>
+  </message>
+  <message>
+   <source>{0} or {1}</source>
+   <translation>{0} oder {1}</translation>
+  </message>
+  <message>
+   <source>{0} places are</source>
+   <translation>{0} Stellen</translation>
+  </message>
+  <message>
+   <source>{0} starts</source>
+   <translation>{0} beginnt</translation>
+  </message>
+  <message>
+   <source>{0} strains by {1} where it snaps, at hinge {2}, and its material bears about {3}: make Ratio larger or the panels thinner.</source>
+   <translation>{0} dehnt sich um {1}, wo sie schnappt, an Scharnier {2}, und ihr Material erträgt etwa {3}: Ratio vergrößern oder die Platten dünner machen.</translation>
+  </message>
+  <message>
+   <source>{0} was made by {1}: only FOLD files exported by Bistable Workbench hold the units that can be read back.</source>
+   <translation>{0} stammt von {1}: nur FOLD-Dateien aus diesem Arbeitsbereich enthalten die Einheiten, die sich zurücklesen lassen.</translation>
+  </message>
+  <message>
+   <source>{0} was not written to {1} ({2}): {3}.</source>
+   <translation>{0} wurde nicht nach {1} geschrieben ({2}): {3}.</translation>
+  </message>
+  <message>
+   <source>{0} was not written to {1}: {2}.</source>
+   <translation>{0} wurde nicht nach {1} geschrieben: {2}.</translation>
+  </message>
+  <message>
+   <source>{0} {1} is unknown: choose one of {2}.</source>
+   <translation>{0} {1} ist unbekannt: eines von {2} wählen.</translation>
+  </message>
+  <message>
+   <source>{0} {1} mm is not a multiple of the layer height {2} mm, so panels slice to different thicknesses: use {3} mm.</source>
+   <translation>{0} {1} mm ist kein Vielfaches der Schichthöhe {2} mm, darum werden die Platten verschieden dick geslict: {3} mm verwenden.</translation>
+  </message>
+  <message>
+   <source>{0}, line {1}: {2} columns; give x, y or x, y, z, or name the columns in the first row.</source>
+   <translation>{0}, Zeile {1}: {2} Spalten; x, y oder x, y, z angeben oder die Spalten in der ersten Zeile benennen.</translation>
+  </message>
+  <message>
+   <source>{0}, line {1}: {2} is not a coordinate in mm: correct it.</source>
+   <translation>{0}, Zeile {1}: {2} ist keine Koordinate in mm: sie berichtigen.</translation>
+  </message>
+  <message>
+   <source>{0}: its hinges have no play.</source>
+   <translation>{0}: ihre Scharniere haben kein Spiel.</translation>
+  </message>
+  <message>
+   <source>{0}: margin {1} or more.</source>
+   <translation>{0}: Reserve {1} oder mehr.</translation>
+  </message>
+  <message>
+   <source>{0}: the paper's table does not settle {1}; the value that was set stays.</source>
+   <translation>{0}: die Tabelle des Aufsatzes legt {1} nicht fest; der eingestellte Wert bleibt.</translation>
+  </message>
+  <message>
+   <source>{0}: unit {1} has lengths of 0 or less: export it again.</source>
+   <translation>{0}: Einheit {1} hat Längen von 0 oder weniger: neu exportieren.</translation>
+  </message>
+  <message>
+   <source>{0}: unit {1} has no ten corners in space: export it again.</source>
+   <translation>{0}: Einheit {1} hat keine zehn Ecken im Raum: neu exportieren.</translation>
+  </message>
+  <message>
+   <source>{0}: unit {1} in {2} is broken ({3}): export the file again.</source>
+   <translation>{0}: Einheit {1} in {2} ist beschädigt ({3}): die Datei neu exportieren.</translation>
+  </message>
+  <message>
+   <source>{0}: unit {1} is not the symmetric unit of its angles (it is one of a general curve, or the file was changed): only plane and spherical units can be read back.</source>
+   <translation>{0}: Einheit {1} ist nicht die symmetrische Einheit ihrer Winkel (sie gehört zu einer allgemeinen Kurve, oder die Datei wurde geändert): nur ebene und sphärische Einheiten lassen sich zurücklesen.</translation>
+  </message>
+  <message>
+   <source>{0}; set {1}, or make FaceThickness or GapLength smaller.</source>
+   <translation>{0}; {1} einstellen, oder FaceThickness oder GapLength verkleinern.</translation>
+  </message>
+  <message>
+   <source>{0}{1} are floppy, {2}, and nothing but friction holds the deployed state.</source>
+   <translation>{0}{1} sind schlaff, {2}, und nur Reibung hält den entfalteten Zustand.</translation>
+  </message>
+  <message>
+   <source>{0}{1} is floppy, {2}, and nothing but friction holds the deployed state.</source>
+   <translation>{0}{1} ist schlaff, {2}, und nur Reibung hält den entfalteten Zustand.</translation>
+  </message>
+ </context>
+ <context>
   <name>Bistable_AutoFit</name>
   <message>
    <source>Auto-fit</source>

@@ -4,9 +4,10 @@
 
     python3 resources/translations/update.py
 
-Texts are what the sources give to ``translate`` and ``QT_TRANSLATE_NOOP``, and the property tables:
-labels, groups, tooltips and choices. Translations are kept; what is new comes without one, and the
-script names it. Needs no FreeCAD.
+Texts are what the sources give to ``translate`` and ``QT_TRANSLATE_NOOP``, the property tables
+(labels, groups, tooltips and choices), and the sentences of errors, warnings and findings (see
+`sentences`). Translations are kept; what is new comes without one, and the script names it. Needs
+no FreeCAD.
 """
 
 import ast
@@ -18,6 +19,9 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import sentences  # noqa: E402  (beside this file, also where a test loads it)
+
 PACKAGE = HERE.parent.parent / "BistableWB"
 LANGUAGES = ("de",)
 TABLES = "BistableProperty"
@@ -43,6 +47,7 @@ def label_of(name):
 def messages():
     """Set of (context, text) in all sources."""
     found = {(TABLES, text) for text in (*CHOICES, *KINDS, *map(label_of, LABELS))}
+    found |= {(sentences.CONTEXT, text) for text in sentences.templates(PACKAGE)}
     for path in sorted(PACKAGE.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call):
