@@ -89,12 +89,17 @@ def _values(obj, table, leave_out):
 
 def _plain(value):
     if isinstance(value, App.Units.Quantity):
-        return value.Value
+        return _rounded(value.Value)
     if isinstance(value, App.Vector):
         return list(value)
     if isinstance(value, list):
         return [_plain(item) for item in value]
-    return value
+    return _rounded(value) if isinstance(value, float) else value
+
+
+def _rounded(number):
+    """``number`` without the last digits of sums and of inches, 1.8 for 1.7999999999999998."""
+    return float(f"{number:.13g}")
 
 
 def _curve(obj):

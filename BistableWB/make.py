@@ -17,12 +17,11 @@ def make_curve(doc, points=None, source=None, kind="Plane", sphere_radius=None, 
     ``source``: an object with edges, or (object, sub-element names). ``kind``: "Plane",
     "Sphere" or "General"; ``sphere_radius`` in mm. Without points and source: the example arch.
     """
-    obj = _make(doc, "Bistable::Curve", name)
+    obj = _make(doc, "Bistable::Curve", name, Kind=kind)
     if points is not None:
         obj.Points = [App.Vector(*p) for p in points]
     if source is not None:
         obj.Source = source if isinstance(source, tuple) else (source, [""])
-    obj.Kind = kind
     if sphere_radius is not None:
         obj.SphereRadius = sphere_radius
     return obj
@@ -67,9 +66,8 @@ def make_hinge_set(doc, unit, hinge_type="Rotational", preset=None):
     """
     from .objects.hinge_inputs import apply_preset, hinge_parameters
 
-    obj = _make(doc, "Bistable::HingeSet", "HingeSet")
+    obj = _make(doc, "Bistable::HingeSet", "HingeSet", HingeType=hinge_type)
     obj.Unit = unit
-    obj.HingeType = hinge_type
     if preset is not None:
         apply_preset(obj, preset)
     triangles = getattr(unit, "Triangles", None)
@@ -106,14 +104,14 @@ def make_hinge_coupon(doc, kind="Dihedral", preset="Hinge4"):
     ``preset``: a column of the paper's tables ("Hinge1" … "Hinge9", "Recommended",
     "RecommendedVertex"), or None for the workbench's defaults.
     """
-    obj = _make(doc, "Bistable::HingeCoupon", "HingeCoupon")
-    obj.Kind = kind
+    from .objects.hinge_inputs import check_preset
+
+    if preset is not None:
+        check_preset(preset)
+    obj = _make(doc, "Bistable::HingeCoupon", "HingeCoupon", Kind=kind)
     if kind != "Dihedral":
         obj.LengthX, obj.LengthY = 50.0, 32.0
     if preset is not None:
-        from .objects.hinge_inputs import check_preset
-
-        check_preset(preset)
         obj.Preset = preset
     return obj
 
@@ -133,5 +131,18 @@ def repair(doc):
     return repaired
 
 
-def _make(doc, type_name, name):
-    return make_object(doc, type_name, name, proxy_class(type_name))
+def _make(doc, type_name, name, **choices):
+    """A new object with its ``choices`` {enumeration: value}; ValueError, and no object, if wrong.
+
+    FreeCAD 0.20 refuses a wrong value with a dictionary of its own insides.
+    """
+    kind = proxy_class(type_name)
+    values = {prop.name: prop.default for prop in kind.PROPERTIES}
+    for prop, value in choices.items():
+        if value not in values[prop]:
+            known = ", ".join(values[prop])
+            raise ValueError(f"{prop} {value!r} is unknown: choose one of {known}.")
+    obj = make_object(doc, type_name, name, kind)
+    for prop, value in choices.items():
+        setattr(obj, prop, value)
+    return obj

@@ -114,8 +114,15 @@ def facts_of(objects, prints, progress=lambda text: None):
         numbers, columns, rows = _unit_facts(objects)
     if "hinges" in facts:
         columns = columns + facts["hinges"].columns
-        rows = [row + more for row, more in zip(rows, facts["hinges"].rows, strict=True)]
+        rows = _with_print(rows, facts["hinges"], objects["hinges"].FirstUnit - 1)
     return Facts(numbers, _parameters(objects), columns, rows, facts)
+
+
+def _with_print(rows, made, first):
+    """Rows of all units with those of a print, which may be a part of them from ``first`` on."""
+    printed = dict(enumerate(made.rows, first))
+    without = ["–"] * len(made.columns)
+    return [row + printed.get(k, without) for k, row in enumerate(rows)]
 
 
 def _unit_facts(objects):

@@ -118,6 +118,11 @@ def global_placement(obj):
     return obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement
 
 
+def frame_placement(obj):
+    """Placement of the Parts that an object is in: its Placement, and its Shape, are seen there."""
+    return global_placement(obj) * obj.Placement.inverse()
+
+
 def require_link(obj, name, type_name, hint):
     """The object linked in property ``name``; ValueError where it is missing or of other type."""
     target = getattr(obj, name)

@@ -82,9 +82,7 @@ class Curve(BistableObject):
 
 def geometry_of(obj):
     """`CurveGeometry` of a Curve object in the global frame; ValueError as on recompute."""
-    geometry = local_geometry(obj)
-    placement = global_placement(obj)
-    return geometry if placement.isIdentity() else _placed(geometry, placement)
+    return placed(local_geometry(obj), global_placement(obj))
 
 
 def local_geometry(obj):
@@ -208,7 +206,10 @@ class Moved:
         return self.curve.point(s) @ self.rotation.T + self.shift
 
 
-def _placed(geometry, placement):
+def placed(geometry, placement):
+    """A `CurveGeometry` moved by a placement."""
+    if placement.isIdentity():
+        return geometry
     moved = Moved(geometry.curve, placement)
     kind, vector = geometry.legs
     vector = moved.rotation @ np.asarray(vector) + (moved.shift if kind == "point" else 0)

@@ -78,7 +78,7 @@ class Points(Field):
         column.setContentsMargins(0, 0, 0, 0)
         self.table = QtGui.QTableWidget(0, 3)
         self.table.setObjectName("PointsTable")
-        self.table.setHorizontalHeaderLabels(["x", "y", "z"])
+        self.table.setHorizontalHeaderLabels(["x mm", "y mm", "z mm"])  # in any unit scheme
         self.table.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
         self.table.verticalHeader().setDefaultSectionSize(24)
         self.table.setMinimumHeight(150)
