@@ -15,7 +15,7 @@ import FreeCAD as App
 
 from . import design, produce, report
 from .design_text import CURVE_FILE, objects_of, text_of
-from .exporters import check_target
+from .exporters import check_target, refuse_to_write
 
 _STEPS = 12  # of the progress bar: about as many as there are checks and pictures
 
@@ -45,7 +45,7 @@ def write(obj, path, title=None, with_slicer=False):
             result.files.clear()  # the pictures, which the report holds
             return report.write(path, [result])
     except OSError as error:
-        raise ValueError(f"{path.name} was not written to {path.parent}: {error}.") from error
+        refuse_to_write(path, error)
     finally:
         indicator.stop()
 

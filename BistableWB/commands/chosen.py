@@ -24,6 +24,15 @@ def of_type(type_name):
     return None if ours or edges() else newest(type_name)
 
 
+def made_from_selection(type_name):
+    """An object of ``type_name`` that is made from what is selected, else None."""
+    for obj in Gui.Selection.getSelection():
+        for candidate in obj.InListRecursive if type_of(obj).startswith("Bistable::") else ():
+            if type_of(candidate) == type_name:
+                return candidate
+    return None
+
+
 def newest(type_name):
     """The newest object of ``type_name`` in the active document, else None."""
     doc = App.ActiveDocument

@@ -23,11 +23,11 @@ class HingeSet(Command):
 
     def IsActive(self):
         """With units to make thick."""
-        return chosen.of_type(UNIT) is not None
+        return chosen_units() is not None
 
     def run(self):
         """Make the solids and show them by themselves; Esc stops and leaves nothing behind."""
-        units = chosen.of_type(UNIT)
+        units = chosen_units()
         with Script(translate("Bistable_HingeSet", "Hinge set")) as script:
             script.add(f"units = {by_name(units)}")
             script.add("hinges = make.make_hinge_set(doc, units)")
@@ -40,6 +40,11 @@ class HingeSet(Command):
                 "if hinges.isValid(): [part.ViewObject.hide() for part in hinges.OutListRecursive]"
             )
         fit_view(isometric=True)
+
+
+def chosen_units():
+    """The units that are selected, or that belong to a selected part of a tube."""
+    return chosen.of_type(UNIT) or chosen.made_from_selection(UNIT)
 
 
 class HingeCoupon(Command):

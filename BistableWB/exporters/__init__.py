@@ -58,10 +58,7 @@ def export(objects, path, **options):
     try:
         _write_whole(write, bodies, path, options)
     except OSError as error:
-        cure = "free some space there" if error.errno == errno.ENOSPC else "choose another folder"
-        raise ValueError(
-            f"{path.name} was not written to {path.parent} ({error.strerror or error}): {cure}."
-        ) from error
+        refuse_to_write(path, error)
     return path
 
 
@@ -89,6 +86,14 @@ def check_target(path):
         raise ValueError(f"There is no folder {path.parent}: make it, or choose another one.")
     if not os.access(path.parent, os.W_OK | os.X_OK):
         raise ValueError(f"The folder {path.parent} cannot be written: choose another one.")
+
+
+def refuse_to_write(path, error):
+    """ValueError, one sentence with the cure, for an `OSError` while ``path`` was written."""
+    cure = "free some space there" if error.errno == errno.ENOSPC else "choose another folder"
+    raise ValueError(
+        f"{path.name} was not written to {path.parent} ({error.strerror or error}): {cure}."
+    ) from error
 
 
 def _write_whole(write, bodies, path, options):

@@ -2527,10 +2527,6 @@
    <translation>{0} wurde nicht nach {1} geschrieben ({2}): {3}.</translation>
   </message>
   <message>
-   <source>{0} was not written to {1}: {2}.</source>
-   <translation>{0} wurde nicht nach {1} geschrieben: {2}.</translation>
-  </message>
-  <message>
    <source>{0} {1} is unknown: choose one of {2}.</source>
    <translation>{0} {1} ist unbekannt: eines von {2} wählen.</translation>
   </message>
