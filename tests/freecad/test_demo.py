@@ -181,7 +181,7 @@ def test_every_unit_of_the_hinged_arch_snaps_and_stays_on_the_curve(doc):
     parameters = HingeParameters()
     objects["triangles"].Thickness = parameters.pitch
     doc.recompute()
-    tube, warnings = hinge_set._thick(objects["unit"], parameters, True)
+    tube, warnings = hinge_set._thick(objects["unit"], App.Placement(), parameters, True)
     snap = assess(tube.thick, parameters.play)
     assert 6 <= len(snap.margin) <= 10
     assert snap.margin.min() > 1.5
