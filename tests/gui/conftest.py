@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tests in FreeCAD's own window: see .ci/in-freecad --gui."""
 
+import contextlib
 import time
 from pathlib import Path
 
@@ -8,6 +9,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 from PySide import QtCore, QtGui
+
+from BistableWB import make
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "build" / "screenshots"
 
@@ -39,6 +42,42 @@ def gui(workbench):
     close_documents()
     yield pump
     close_documents()
+
+
+@pytest.fixture
+def unit(gui):
+    """A BistableUnit by itself, in a document of its own."""
+    doc = App.newDocument("One")
+    made = make.make_bistable_unit(doc, theta=45, edge_length=60)
+    doc.recompute()
+    return made
+
+
+@pytest.fixture
+def escape():
+    """``with escape(every) as asked``: Esc every so many ms, and Yes to what is asked."""
+
+    @contextlib.contextmanager
+    def pressing(every):
+        asked = []
+        timer = QtCore.QTimer()
+        timer.timeout.connect(lambda: _press_escape(asked))
+        timer.start(every)
+        yield asked
+        timer.stop()
+
+    return pressing
+
+
+def _press_escape(asked):
+    box = QtGui.QApplication.activeModalWidget()
+    if isinstance(box, QtGui.QMessageBox):
+        asked.append(box.text())
+        box.button(QtGui.QMessageBox.Yes).click()
+        return
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        key = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+        QtGui.QApplication.postEvent(Gui.getMainWindow(), key)
 
 
 def close_documents():

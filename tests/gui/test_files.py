@@ -38,14 +38,6 @@ def asked(monkeypatch):
     return answer
 
 
-@pytest.fixture
-def unit(gui):
-    doc = App.newDocument("One")
-    made = make.make_bistable_unit(doc, theta=45, edge_length=60)
-    doc.recompute()
-    return made
-
-
 def press(kind, gui):
     boxes = Gui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
     next(b for b in boxes if b.isVisible() and b.button(kind)).button(kind).click()

@@ -116,30 +116,15 @@ def _open_page(dialog):
 
 
 @pytest.mark.provokes_errors
-def test_cancelled_solids_leave_the_document_as_it_was(gui, monkeypatch, capfd):
+def test_cancelled_solids_leave_the_document_as_it_was(gui, escape, capfd):
     doc = App.newDocument("Mine")
     curve = make.make_curve(doc)
     triangles = make.make_triangle_placement(doc, curve)
     make.make_bistable_unit(doc, triangles)
     doc.recompute()
-    pressed = []
-
-    def press_escape():
-        box = QtGui.QApplication.activeModalWidget()
-        if isinstance(box, QtGui.QMessageBox):
-            pressed.append(box.text())
-            box.button(QtGui.QMessageBox.Yes).click()
-            return
-        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-            key = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
-            QtGui.QApplication.postEvent(Gui.getMainWindow(), key)
-
-    timer = QtCore.QTimer()
-    timer.timeout.connect(press_escape)
-    timer.start(200)
     names, count = [obj.Name for obj in doc.Objects], triangles.Count
-    Gui.runCommand("Bistable_HingeSet")
-    timer.stop()
+    with escape(200) as pressed:
+        Gui.runCommand("Bistable_HingeSet")
     gui(0.2)
     assert pressed
     assert [obj.Name for obj in doc.Objects] == names

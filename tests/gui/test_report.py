@@ -3,10 +3,9 @@
 
 import sys
 
-import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from BistableWB import make
 from BistableWB.commands import output
@@ -28,14 +27,6 @@ def browser(monkeypatch):
     monkeypatch.setattr(QtGui.QDesktopServices, "openUrl", open_url)
     monkeypatch.setitem(sys.modules, "matplotlib", None)  # pictures take long, and are tested
     return opened
-
-
-@pytest.fixture
-def unit(gui):
-    doc = App.newDocument("One")
-    made = make.make_bistable_unit(doc, theta=45, edge_length=60)
-    doc.recompute()
-    return made
 
 
 def test_the_report_is_written_opened_and_recorded(unit, browser, monkeypatch, tmp_path, capfd):
@@ -69,26 +60,14 @@ def test_a_report_that_cannot_be_says_why(unit, browser, tmp_path, capfd):
 
 
 @pytest.mark.provokes_errors
-def test_escape_cancels_a_report(unit, browser, gui, tmp_path, capfd):
+def test_escape_cancels_a_report(unit, browser, escape, gui, tmp_path, capfd):
     hinges = make.make_hinge_set(unit.Document, unit)
     unit.Document.recompute()
     path = tmp_path / "x.html"
     path.write_text("old")
 
-    def press_escape():
-        box = QtGui.QApplication.activeModalWidget()
-        if isinstance(box, QtGui.QMessageBox):
-            box.button(QtGui.QMessageBox.Yes).click()
-            return
-        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-            key = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
-            QtGui.QApplication.postEvent(Gui.getMainWindow(), key)
-
-    timer = QtCore.QTimer()
-    timer.timeout.connect(press_escape)
-    timer.start(100)
-    output.report(hinges, path)
-    timer.stop()
+    with escape(100):
+        output.report(hinges, path)
     gui(0.2)
     assert "cancelled" in capfd.readouterr().out
     assert path.read_text() == "old"
