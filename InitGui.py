@@ -7,6 +7,8 @@ gone inside the methods, which therefore import what they need.
 
 import FreeCADGui as Gui
 
+from BistableWB import wiring
+
 
 class BistableWorkbench(Gui.Workbench):
     """Curve → triangles → bistable units → printable tube."""
@@ -35,4 +37,5 @@ class BistableWorkbench(Gui.Workbench):
         return "Gui::PythonWorkbench"
 
 
+wiring.join()
 Gui.addWorkbench(BistableWorkbench())

@@ -4,15 +4,14 @@
 What is checked is in `checks.suite`; here it is told which bodies, and how they are printed.
 """
 
-import numpy as np
-
-from . import openscad
-from .checks.bed import Bed
-from .checks.printer import Printer
+from .checks.printer import printer_of
 from .checks.suite import Standing, Suite
 from .objects import type_of
+from .objects.current import refuse_stale
 from .objects.hinge_inputs import hinge_parameters
+from .programs import openscad
 from .slicing.toolpaths import check_toolpaths
+from .solids.matrices import array_of
 from .solids.tessellation import mesh_of, placed_meshes
 
 
@@ -34,29 +33,34 @@ def check(obj, printer=None, with_openscad=False, with_slicer=False):
 
 
 def bodies_of(obj):
-    """`solids.tube.Body` list of a print, flat."""
+    """`solids.tube.Body` list of a print, flat; `Refusal` where it is not what its inputs say."""
+    refuse_stale(obj)
     model = _model(obj)
     return model.bodies if model else obj.Proxy.bodies(obj)
 
 
 def suite_of(obj, bodies, meshes, printer=None):
-    """The `Suite` of a print's ``bodies`` and their ``meshes`` (`PlacedMesh`)."""
-    volumes = [body.shape.Volume for body in bodies]
+    """The `Suite` of a print's ``bodies`` and their ``meshes`` (`PlacedMesh`).
+
+    What a check of a HingeSet has found stays with its model: panel and report ask once.
+    """
+    volumes = [body.volume for body in bodies]
+    slacks = [body.slack for body in bodies]
     printer = printer or printer_of(obj)
     model = _model(obj)
     if model is None:
-        return Suite(meshes, volumes, hinge_parameters(obj), printer)
-    turn = np.array(model.standing(obj.Orientation).toMatrix().A).reshape(4, 4)
+        asked = getattr(obj.Proxy, "parameters", hinge_parameters)
+        suite = Suite(meshes, volumes, asked(obj), printer, slacks=slacks)
+        suite.is_trial = type_of(obj) == "Bistable::CalibrationPlate"
+        return suite
+    turn = array_of(model.standing(obj.Orientation))
     support = mesh_of(model.support()).moved(turn) if obj.Support else None
-    standing = Standing(turn, obj.Orientation == "OnEdge", support)
-    return Suite(meshes, volumes, model.parameters, printer, model.tube, model.snap, standing)
-
-
-def printer_of(obj, bed=None):
-    """`Printer` by the object's own properties; ``bed`` where it has none."""
-    own = getattr(obj, "Bed", None)
-    room = Bed(*own) if own and any(own) else bed or Bed()
-    return Printer(obj.LayerHeight.Value, obj.NozzleDiameter.Value, room)
+    ties = tuple(model.tie_meshes()) if model.has_ties(obj.Orientation) else None
+    standing = Standing(turn, obj.Orientation == "OnEdge", support, model.more, ties)
+    given = model.parameters, printer, model.tube, model.snap, standing
+    suite = Suite(meshes, volumes, *given, slacks=slacks)
+    suite.known = model.findings.setdefault((printer, obj.Orientation, obj.Support), {})
+    return suite
 
 
 def _model(obj):

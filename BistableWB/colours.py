@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours of panels and lines, as "#RRGGBB": one table for the 3D view, pictures and reports.
+"""Colours of bodies and lines, as "#RRGGBB": one table for the 3D view, pictures and files.
 
 The strip is blue, the pyramids are orange; within each the lighter one is the inner panel. Hue and
 lightness both differ, so that the kinds stay apart in greyscale and for colour-blind eyes.
@@ -16,6 +16,22 @@ CURVE = "#D81B72"
 MUTED = "#6B7A89"  # secondary text, construction lines
 FAINT = "#D9E0E6"  # graticules, frames
 REFUSED = "#F3D9DF"  # where no unit exists
+
+# Kind of a body -> colour, in the order of a legend. A body knows its kind from where it is made.
+KINDS = {
+    **PANELS,
+    "block": PANELS["contact"],
+    "link": MUTED,
+    "flexure": CURVE,
+    "support": FAINT,
+    "foot": "#4F8A6B",
+    "joint": "#8468A8",
+}
+
+
+def of(kind):
+    """Colour of a kind of bodies; of a body that is none of ours (``kind`` empty): grey."""
+    return KINDS[kind] if kind else MUTED
 
 
 def rgb(code):

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Smallest distances between bodies, measured on their meshes (``hinges.md`` 6)."""
+"""Smallest distances between bodies, measured on their meshes (docs/theory/hinges.md 6)."""
 
 from concurrent.futures import ThreadPoolExecutor
 from os import cpu_count
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import triangles
+
+if TYPE_CHECKING:
+    from .bvh import Scene
 
 # Distances are found to this accuracy (mm): pairs that could only be nearer by less are left out.
 ACCURACY = 1e-4
@@ -28,7 +32,7 @@ class Clearances(NamedTuple):
     points: np.ndarray
 
 
-def clearances(scene, reach, pairs=None):
+def clearances(scene: "Scene", reach: float, pairs: NDArray | None = None) -> "Clearances":
     """`Clearances` of the bodies of a `Scene` that are nearer than ``reach`` mm.
 
     ``pairs`` (m, 2): those to look at, all if not given. Copies of a pair are measured once.
@@ -50,10 +54,9 @@ def clearances(scene, reach, pairs=None):
     return Clearances(pairs[near], distance[near], points[near])
 
 
-def _least(scene, pairs, reach):
+def _least(scene: "Scene", pairs: NDArray, reach: float) -> tuple[NDArray, NDArray]:
     """Distances (m,), at most ``reach``, and points (m, 3) of pairs of bodies."""
     which, first, second = scene.near_triangles(pairs, reach)
-    corners = scene.corners
     best, where = np.full(len(pairs), float(reach)), np.full((len(pairs), 3), np.nan)
     rows, bound = _facing(scene, first, second, reach)
     order = np.lexsort((bound, which[rows]))
@@ -62,24 +65,26 @@ def _least(scene, pairs, reach):
     size = _FIRST_ROUND
     while len(which):
         now = _rank(which) < size
-        _measure(corners, which[now], first[now], second[now], best, where)
+        _measure(scene, which[now], first[now], second[now], best, where)
         left = ~now & (bound < best[which] - ACCURACY)
         which, first, second, bound = (column[left] for column in (which, first, second, bound))
         size *= 4
     return best, where
 
 
-def _facing(scene, first, second, reach):
+def _facing(
+    scene: "Scene", first: NDArray, second: NDArray, reach: float
+) -> tuple[NDArray, NDArray]:
     """Rows of the triangle pairs that can be nearest, and their bounds: `triangles.in_front`."""
     kept, bounds = [], []
     for k in range(0, len(first), _BLOCK):
         rows = np.arange(k, min(k + _BLOCK, len(first)))
         bound = np.zeros(len(rows), np.float32)
         for a, b in ((first, second), (second, first)):
-            planes = scene.normals[a[rows]], scene.heights[a[rows]]
-            bound = np.maximum(bound, triangles.in_front(*planes, scene.corners[b[rows]]))
-            near = bound < reach
-            rows, bound = rows[near], bound[near]
+            low, high = scene.above(b.take(rows), a.take(rows))
+            bound = np.maximum(bound, triangles.in_front(low, high))
+            near = np.flatnonzero(bound < reach)
+            rows, bound = rows.take(near), bound.take(near)
         kept.append(rows)
         bounds.append(bound)
     if not kept:
@@ -87,17 +92,19 @@ def _facing(scene, first, second, reach):
     return np.concatenate(kept), np.concatenate(bounds)
 
 
-def _rank(which):
+def _rank(which: NDArray) -> NDArray:
     """Place of every entry among those of the same pair (``which`` is sorted)."""
     starts = np.flatnonzero(np.diff(which, prepend=-1))
     return np.arange(len(which)) - np.repeat(starts, np.diff(starts, append=len(which)))
 
 
-def _measure(corners, which, first, second, best, where):
-    found = triangles.distances(corners[first], corners[second])
+def _measure(
+    scene: "Scene", which: NDArray, first: NDArray, second: NDArray, best: NDArray, where: NDArray
+) -> None:
+    found = scene.distances(first, second)
     order = np.lexsort((found, which))
     least = order[np.flatnonzero(np.diff(which[order], prepend=-1))]
     better = least[found[least] < best[which[least]]]
     best[which[better]] = found[better]
-    middle = corners[first[better]].mean(1) + corners[second[better]].mean(1)
+    middle = scene.corners[first[better]].mean(1) + scene.corners[second[better]].mean(1)
     where[which[better]] = middle / 2

@@ -4,71 +4,115 @@
 Measured on the layers of the meshes (`layers`), with no slicer: `slicing` asks one.
 """
 
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from itertools import repeat
+from math import ceil
 from os import cpu_count
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .findings import ERROR, NOTE, WARNING, Finding
+from ..origami.errors import ERROR, NOTE, WARNING, Finding, phrase
 from .layers import PIXEL, layers
-from .overhang import hangs, starts_in_air
+from .overhang import hangs
+from .starts import starts
+
+if TYPE_CHECKING:
+    from ..origami.meshes import Mesh, PlacedMesh
+    from .layers import Layers
+    from .printer import Printer
 
 SHARE_TOLERANCE = 0.05  # by which a body's layers may be off its volume
 CONTACT_LIMIT = 0.15  # mm² between two moving bodies that is not felt
 WELDED = 1.0  # mm² from which bodies do not break free any more
 _SUPPORT_CURE = {
-    "off": "switch Support on, or let the slicer fill the gaps with soluble support",
-    "on": "let the slicer add support there too",
-    "none": "let the slicer add support there",
+    "off": phrase("switch {Support} on, or let the slicer fill the gaps with soluble support"),
+    "on": phrase("let the slicer add support there too"),
+    "none": phrase("let the slicer add support there"),
+    "stand-offs": phrase(
+        "make {StandOffSpacing} smaller or {GapBetweenPlanes} larger, or choose another {Process}"
+    ),
 }
+NEAR = 0.4  # mm of air, at least two layers, over which a line is laid on what lies below
 
 
 class Layering:
     """The layers of a print's ``bodies`` (`PlacedMesh`, as they lie on the bed), unit by unit.
 
     ``support``: `Mesh` of the soluble support, if it is printed; ``support_state``: "on", "off"
-    (it could be) or "none". Only units next to each other are held in memory.
+    (it could be), "none", or "stand-offs": bodies hold each other up. ``alone``: nothing is added
+    by a slicer, so that regions start in mid-air where nothing lies closely below. Only units next
+    to each other are held in memory.
     """
 
-    def __init__(self, bodies, printer, support=None, support_state="none"):
+    def __init__(
+        self,
+        bodies: "Sequence[PlacedMesh]",
+        printer: "Printer",
+        support: "Mesh | None" = None,
+        support_state: str = "none",
+        alone: bool = False,
+    ) -> None:
         self.bodies, self.printer = list(bodies), printer
         self.support_state = support_state
+        near = max(round(NEAR / printer.layer_height), 2) + 1
+        self._depth = near if alone else ceil(printer.bridge / printer.layer_height) + 1
+        self._holds = near if support_state == "stand-offs" else 0
         self._support = None if support is None else layers(support, printer.layer_height)
-        self._shares, self._contacts, self._hangs, self._islands = [], [], [], []
+        self._shares: list[Any] = []
+        self._contacts: list[Any] = []
+        self._hangs: list[Any] = []
+        self._islands: list[Any] = []
 
-    def findings(self):
+    def findings(self) -> list[Finding]:
         """List of `Finding`: thickness, fused bodies, what hangs over air."""
-        alive = []
+        alive: list[Any] = []
         for unit in sorted({body.unit for body in self.bodies}):
             bodies = [body for body in self.bodies if body.unit == unit]
             with ThreadPoolExecutor(cpu_count()) as pool:
-                made = list(pool.map(self._layers, bodies))
+                made, shares = zip(*pool.map(self._layers, bodies), strict=True)
                 new = list(zip(bodies, made, strict=True))
                 around = [*alive, *new]
-                list(pool.map(self._look_below, bodies, made, [around] * len(new)))
+                for found, islands in pool.map(self._looked_below, bodies, made, repeat(around)):
+                    self._hangs += found
+                    self._islands += islands
+            self._shares += shares
             self._touch(new, around)
             alive = new
         return [*self._thickness(), *self._fused(), *self._over_air()]
 
-    def _layers(self, body):
+    def _layers(self, body: "PlacedMesh") -> "tuple[Layers, tuple[str, float, float]]":
         mesh = body.placed
         found = layers(mesh, self.printer.layer_height)
         volume = found.inside.sum() * PIXEL**2 * self.printer.layer_height
-        self._shares.append((body.name, volume / mesh.volume, _off_grid(mesh, self.printer)))
-        return found
+        return found, (body.name, volume / mesh.volume, _off_grid(mesh, self.printer))
 
-    def _look_below(self, body, made, around):
+    def _looked_below(
+        self, body: "PlacedMesh", made: "Layers", around: "Sequence[tuple[PlacedMesh, Layers]]"
+    ) -> tuple[list[Any], list[Any]]:
+        """(`Hang`, name, point) list of what hangs over air, and of its start if that is there."""
         if not made.inside.size:
-            return
-        for hang in hangs(made, self.printer, self._support):
-            point = made.middle(hang.pixel, self.printer.layer_height)
-            self._hangs.append((hang, body.name, point))
+            return [], []
+        height = self.printer.layer_height
         others = [other for _, other in around if other is not made]
-        if starts_in_air(made, others, self.printer, self._support):
-            point = made.middle(np.argwhere(made.inside[:1])[0], self.printer.layer_height)
-            self._islands.append((point[2], body.name, point))
+        found = [
+            (hang, body.name, made.middle(hang.pixel, height))
+            for hang in hangs(made, self.printer, self._support, others, self._holds)
+        ]
+        below = [*others, self._support] if self._support is not None else others
+        return found, [
+            (point[2], body.name, point, start.area)
+            for start in starts(made, below, self._depth)
+            for point in [made.middle(start.pixel, height)]
+        ]
 
-    def _touch(self, new, around):
+    def _touch(
+        self,
+        new: "Sequence[tuple[PlacedMesh, Layers]]",
+        around: "Sequence[tuple[PlacedMesh, Layers]]",
+    ) -> None:
         """Areas in which layers of two rigid bodies lie on each other or are the same."""
         for k, (body, made) in enumerate(new):
             others = around[: len(around) - len(new) + k]
@@ -79,87 +123,195 @@ class Layering:
                         point = made.middle(where - made.first, self.printer.layer_height)
                         self._contacts.append((pixels * PIXEL**2, other.name, body.name, point))
 
-    def _thickness(self):
+    def _thickness(self) -> list[Finding]:
         height = self.printer.layer_height
         name, share, off = max(sorted(self._shares), key=lambda entry: abs(entry[1] - 1))
         if abs(share - 1) <= SHARE_TOLERANCE:
-            return [Finding(
-                NOTE, "layers", (), share, 1.0,
-                f"Layers of {height:g} mm give every body its volume to {abs(share - 1):.1%}.",
-            )]  # fmt: skip
-        return [Finding(
-            WARNING, "layers", (name,), share, 1.0,
-            f"Layers of {height:g} mm make {name} {share:.0%} of its volume: its flat faces lie up "
-            f"to {off:.2g} mm off the layers.",
-            f"make FaceThickness and GapBetweenPlanes multiples of {height:g} mm",
-        )]  # fmt: skip
+            return [
+                Finding(
+                    severity=NOTE,
+                    code="layers",
+                    number=share,
+                    limit=1.0,
+                    message=phrase(
+                        "Layers of {height:g} mm give every body its volume to {share:.1%}.",
+                        height=height,
+                        share=abs(share - 1),
+                    ),
+                )
+            ]
+        return [
+            Finding(
+                severity=WARNING,
+                code="layers",
+                bodies=(name,),
+                number=share,
+                limit=1.0,
+                message=phrase(
+                    "Layers of {height:g} mm make {body} {share:.0%} of its volume: its flat "
+                    "faces lie up to {off:.2g} mm off the layers.",
+                    height=height,
+                    body=name,
+                    share=share,
+                    off=off,
+                ),
+                cure=phrase(
+                    "make {FaceThickness} and {GapBetweenPlanes} multiples of {height:g} mm",
+                    height=height,
+                ),
+            )
+        ]
 
-    def _fused(self):
+    def _fused(self) -> list[Finding]:
         found = sorted(self._contacts, reverse=True)
         fused = [entry for entry in found if entry[0] > CONTACT_LIMIT]
         if not fused:
             most = found[0][0] if found else 0.0
-            rest = f", but for {most:.2g} mm²" if most else ""
-            text = f"Between any two moving bodies lies a layer of air{rest}."
-            return [Finding(NOTE, "fused", (), most, CONTACT_LIMIT, text)]
+            text = phrase(
+                "Between any two moving bodies lies a layer of air{rest}.",
+                rest=phrase(", but for {area:.2g} mm²", area=most) if most else "",
+            )
+            return [
+                Finding(
+                    severity=NOTE,
+                    code="fused",
+                    number=most,
+                    limit=CONTACT_LIMIT,
+                    message=text,
+                )
+            ]
         area, lower, upper, _ = fused[0]
         welded = area > WELDED
-        result = "which welds them" if welded else "which has to break free at the first opening"
-        other = len(fused) - 1
-        more = f" (and of {other} other pair{'s' * (other > 1)})" if other else ""
-        return [Finding(
-            ERROR if welded else WARNING, "fused", (lower, upper), area, CONTACT_LIMIT,
-            f"Layers of {self.printer.layer_height:g} mm lay {area:.2g} mm² of {upper} directly on "
-            f"{lower}{more}, {result}.",
-            "make LayerHeight smaller, or GapLength and GapBetweenPlanes larger",
-            tuple(entry[3] for entry in fused[:20]),
-        )]  # fmt: skip
+        result = phrase(
+            "which welds them" if welded else "which has to break free at the first opening"
+        )
+        count = len(fused) - 1
+        more = phrase(
+            " (and of {count} other pairs)" if count > 1 else " (and of {count} other pair)",
+            count=count,
+        )
+        return [
+            Finding(
+                severity=ERROR if welded else WARNING,
+                code="fused",
+                bodies=(lower, upper),
+                number=area,
+                limit=CONTACT_LIMIT,
+                message=phrase(
+                    "Layers of {height:g} mm lay {area:.2g} mm² of {upper} directly on "
+                    "{lower}{more}, {result}.",
+                    height=self.printer.layer_height,
+                    area=area,
+                    upper=upper,
+                    lower=lower,
+                    more=more if count else "",
+                    result=result,
+                ),
+                cure=phrase(
+                    "make {LayerHeight} smaller, or {GapLength} and {GapBetweenPlanes} larger"
+                ),
+                points=tuple(entry[3] for entry in fused[:20]),
+            )
+        ]
 
-    def _over_air(self):
-        if not self._hangs:
-            return [Finding(NOTE, "overhang", (), 0.0, None, "Nothing is laid over air.")]
+    def _over_air(self) -> list[Finding]:
+        if not self._hangs and not self._islands:
+            return [
+                Finding(
+                    severity=NOTE,
+                    code="overhang",
+                    number=0.0,
+                    message=phrase("Nothing is laid over air."),
+                )
+            ]
         span, total = self.printer.bridge, sum(hang.area for hang, *_ in self._hangs)
-        return [self._hang_finding(total, span), *self._island_findings()]
+        hangs = [self._hang_finding(total, span)] if self._hangs else []
+        return [*hangs, *self._island_findings()]
 
-    def _hang_finding(self, total, span):
+    def _hang_finding(self, total: float, span: float) -> Finding:
         wide = [entry for entry in self._hangs if entry[0].wide]
         hang, name, point = max(wide or self._hangs, key=lambda entry: (entry[0].area, entry[1]))
-        most = f"{hang.area:.0f} mm² of {name} at a height of {point[2]:.1f} mm"
+        most = phrase(
+            "{area:.0f} mm² of {body} at a height of {height:.1f} mm",
+            area=hang.area,
+            body=name,
+            height=point[2],
+        )
         if not wide:
             return Finding(
-                NOTE, "overhang", (name,), total, None,
-                f"{_area(total)} are laid over air, all in strips narrower than the "
-                f"{span:g} mm that a printer spans; the largest are {most}.", "", (point,),
-            )  # fmt: skip
-        many = f"{len(wide)} places are" if wide[1:] else "one place is"
+                severity=NOTE,
+                code="overhang",
+                bodies=(name,),
+                number=total,
+                message=phrase(
+                    "{total} are laid over air, all in strips narrower than the {span:g} mm "
+                    "that a printer spans; the largest are {most}.",
+                    total=_area(total),
+                    span=span,
+                    most=most,
+                ),
+                points=(point,),
+            )
+        many = phrase("{count} places are" if wide[1:] else "one place is", count=len(wide))
         return Finding(
-            WARNING, "overhang", (name,), hang.area, span**2,
-            f"{_area(total)} are laid over air, where {many} wider than the {span:g} mm "
-            f"that a printer spans, the largest {most}.",
-            _SUPPORT_CURE[self.support_state], tuple(entry[2] for entry in wide[:20]),
-        )  # fmt: skip
+            severity=WARNING,
+            code="overhang",
+            bodies=(name,),
+            number=hang.area,
+            limit=span**2,
+            message=phrase(
+                "{total} are laid over air, where {many} wider than the {span:g} mm that "
+                "a printer spans, the largest {most}.",
+                total=_area(total),
+                many=many,
+                span=span,
+                most=most,
+            ),
+            cure=_SUPPORT_CURE[self.support_state],
+            points=tuple(entry[2] for entry in wide[:20]),
+        )
 
-    def _island_findings(self):
+    def _island_findings(self) -> list[Finding]:
         if not self._islands:
             return []
         lowest = sorted(self._islands)
-        names = tuple(name for _, name, _ in lowest)
-        what = f"{names[0]} starts" if len(names) == 1 else f"{len(names)} bodies start"
-        first = "" if len(names) == 1 else f", {names[0]} first"
-        return [Finding(
-            WARNING, "island", names, lowest[0][0], self.printer.bridge,
-            f"{what} in mid-air{first}, {lowest[0][0]:.1f} mm above the bed and more than "
-            f"{self.printer.bridge:g} mm above anything else.",
-            _SUPPORT_CURE["none"], tuple(entry[2] for entry in lowest[:20]),
-        )]  # fmt: skip
+        count = len(lowest)
+        height, name, *_ = lowest[0]
+        what = phrase(
+            "{count} places start, {area:.3g} mm² in all" if count > 1 else "{body} starts",
+            count=count,
+            area=sum(start[3] for start in lowest),
+            body=name,
+        )
+        first = phrase(", one of {body} first", body=name) if count > 1 else ""
+        depth = (self._depth - 1) * self.printer.layer_height
+        return [
+            Finding(
+                severity=WARNING,
+                code="island",
+                bodies=tuple(dict.fromkeys(start[1] for start in lowest)),
+                number=height,
+                limit=depth,
+                message=phrase(
+                    "{what} in mid-air{first}, {lowest:.1f} mm above the bed and more than "
+                    "{bridge:g} mm above anything else.",
+                    what=what,
+                    first=first,
+                    lowest=height,
+                    bridge=depth,
+                ),
+                cure=_SUPPORT_CURE["stand-offs" if self._holds else "none"],
+                points=tuple(start[2] for start in lowest[:20]),
+            )
+        ]
 
 
-def _area(square_mm):
+def _area(square_mm: float) -> str:
     """An area in words: cm² with two digits."""
     return f"{square_mm / 100:.0f} cm²" if square_mm >= 1000 else f"{square_mm / 100:.2g} cm²"
 
 
-def _contact(one, other):
+def _contact(one: "Layers", other: "Layers") -> tuple[int, NDArray | None]:
     """Pixels of two `Layers` that lie on each other or fall together, and one of them (3,)."""
     more = np.array([1, 0, 0])
     low = np.maximum(one.first, other.first) - more
@@ -174,7 +326,7 @@ def _contact(one, other):
     return count, low + np.argwhere(both)[count // 2] if count else None
 
 
-def _off_grid(mesh, printer):
+def _off_grid(mesh: "Mesh", printer: "Printer") -> float:
     """How far (mm) flat, level faces of a mesh lie from the planes between layers, at most."""
     heights = mesh.corners[:, :, 2]
     level = heights[np.ptp(heights, axis=1) < 1e-6, 0] / printer.layer_height

@@ -1,12 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What of a layer hangs over air: neither carried from below nor spanned from hold to hold."""
 
-from math import ceil, radians, sqrt, tan
-from typing import NamedTuple
+from collections.abc import Sequence
+from math import ceil, radians, tan
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from .layers import PIXEL
+from ..origami.layers import PIXEL, grown
+from .starts import held_by
+
+if TYPE_CHECKING:
+    from .layers import Layers
+    from .printer import Printer
+
+
+_HALF_LINE = 2  # pixels: a line is held where half of it is
 
 
 class Hang(NamedTuple):
@@ -21,15 +31,24 @@ class Hang(NamedTuple):
     wide: bool
 
 
-def hangs(body, printer, support=None):
+def hangs(
+    body: "Layers",
+    printer: "Printer",
+    support: "Layers | None" = None,
+    others: "Sequence[Layers]" = (),
+    depth: int = 0,
+) -> list[Hang]:
     """`Hang` of every layer of ``body`` (`Layers`) that needs a support which is not there.
 
     A pixel is carried by the body's own layer below, by the bed or by ``support`` (`Layers`) up to
-    the overhang of ``printer.steepest``, rounded up to whole pixels. What lies between two carried
-    pixels of its row or its column, at most ``printer.bridge`` apart, is a bridge.
+    the overhang of ``printer.steepest``, rounded up to whole pixels, and by ``others`` at most
+    ``depth`` layers below. What lies between two carried pixels of its row or its column, at most
+    ``printer.bridge`` apart, is a bridge; between stand-offs it is twice as long, so that nothing
+    is further from a hold.
     """
     reach = ceil(tan(radians(printer.steepest)) * printer.layer_height / PIXEL)
     span = round(printer.bridge / PIXEL)
+    bridge = 2 * span if depth else span
     found = []
     for k, layer in enumerate(body.inside):
         number = int(body.first[0]) + k
@@ -41,7 +60,8 @@ def hangs(body, printer, support=None):
             low[0] = number - 1
             high[0] = number
             below = below | support.window(low, high)[0]
-        hanging, corner = _hanging(layer, below, reach, span)
+        held = layer & held_by(others, body, number, depth) if depth else None
+        hanging, corner = _hanging(layer, below, reach, bridge, held)
         count = int(hanging.sum())
         if count:
             middle = _a_middle(hanging)
@@ -51,8 +71,13 @@ def hangs(body, printer, support=None):
     return found
 
 
-def _hanging(layer, below, reach, span):
-    """Pixels of the part of ``layer`` that goes beyond ``below``, and where that part starts."""
+def _hanging(
+    layer: NDArray, below: NDArray, reach: float, span: int, held: NDArray | None = None
+) -> tuple[NDArray, Any]:
+    """Pixels of the part of ``layer`` that goes beyond ``below``, and where that part starts.
+
+    ``held``: pixels that something else holds.
+    """
     beyond = layer & ~below
     if not beyond.any():
         return beyond, (0, 0)
@@ -64,29 +89,15 @@ def _hanging(layer, below, reach, span):
         window.append(slice(low, int(places[-1]) + span + 2))
     layer, below = layer[tuple(window)], below[tuple(window)]
     carried = layer & grown(below, reach)
+    if held is not None:
+        carried |= layer & grown(held[tuple(window)], _HALF_LINE)
     hanging = layer & ~carried
     if hanging.any() and carried.any():
         hanging &= ~(_bridges(hanging, carried, span) | _bridges(hanging.T, carried.T, span).T)
     return hanging, corner
 
 
-def grown(area, radius):
-    """All pixels within ``radius`` pixels of those of ``area`` (rows, columns) bool."""
-    found = np.zeros_like(area)
-    if not area.any():
-        return found
-    row, width = area.copy(), 0
-    for dy in range(int(radius), -1, -1):
-        for shift in range(width + 1, int(sqrt(radius**2 - dy**2)) + 1):
-            row[:, shift:] |= area[:, :-shift]
-            row[:, :-shift] |= area[:, shift:]
-            width = shift
-        found[dy:] |= row[: len(row) - dy]
-        found[: len(row) - dy] |= row[dy:]
-    return found
-
-
-def _bridges(hanging, carried, span):
+def _bridges(hanging: NDArray, carried: NDArray, span: int) -> NDArray:
     """Which hanging pixels lie in their row between two carried ones, at most ``span`` apart."""
     index = np.arange(hanging.shape[1])
     last = np.maximum.accumulate(np.where(hanging, -1, index), 1)
@@ -99,7 +110,7 @@ def _bridges(hanging, carried, span):
     return short
 
 
-def _holds_square(area, side):
+def _holds_square(area: NDArray, side: int) -> bool:
     """Whether a square of ``side`` pixels fits into an area."""
     if min(area.shape) < side:
         return False
@@ -110,27 +121,8 @@ def _holds_square(area, side):
     return bool((inner + total[:-side, :-side] == side**2).any())
 
 
-def _a_middle(area):
+def _a_middle(area: NDArray) -> tuple[int, int]:
     """The pixel in the middle of the longest row of an area, which lies in the area."""
     row = int(area.sum(1).argmax())
     columns = np.flatnonzero(area[row])
     return row, int(columns[len(columns) // 2])
-
-
-def starts_in_air(body, others, printer, support=None):
-    """Whether the lowest layer of ``body`` lies more than a bridge's length above anything else.
-
-    Above the bed, and above all ``others`` (`Layers`) below it.
-    """
-    depth = ceil(printer.bridge / printer.layer_height)
-    if body.first[0] <= depth:
-        return False
-    low, high = body.first.copy(), body.end
-    low[0], high[0] = low[0] - depth, low[0]
-    lowest = body.inside[0]
-    below = [*others, *([support] if support is not None else [])]
-    return not any(
-        (other.window(low, high).any(0) & lowest).any()
-        for other in below
-        if (other.first < high).all() and (other.end > low).all()
-    )

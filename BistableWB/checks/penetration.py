@@ -6,13 +6,19 @@ It is 0 for bodies that only touch. Where the surfaces cross, the edges of one b
 triangles of the other; the parts of them that lie inside are followed, and their depth measured.
 """
 
-from typing import NamedTuple
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..solids.mesh import half_edges
+from ..origami.meshes import half_edges
 from . import triangles
 from .triangles import dot
+
+if TYPE_CHECKING:
+    from ..origami.meshes import Mesh
+    from .bvh import Scene
 
 _SAMPLES = np.array([0.02, 0.25, 0.5, 0.75, 0.98])  # of a part of an edge that lies inside
 _KNOWN = 400  # crossings that bound the depth of a point
@@ -28,27 +34,36 @@ class Penetrations(NamedTuple):
     points: np.ndarray
 
 
-def penetrations(scene, pairs=None):
+def penetrations(scene: "Scene", pairs: NDArray | None = None) -> "Penetrations":
     """`Penetrations` of the bodies of a `Scene`; ``pairs`` (m, 2): those to look at, or all."""
-    near = scene.body_pairs(_TOUCH) if pairs is None else np.asarray(pairs, int).reshape(-1, 2)
-    hits = _hits(scene, near)
-    found = []
+    pairs = scene.body_pairs(_TOUCH) if pairs is None else np.asarray(pairs, int).reshape(-1, 2)
+    rows, which = scene.distinct(pairs)
+    near = pairs[rows]
+    hits = _grouped(_hits(scene, near), len(near))
+    depths, points = np.zeros(len(near)), np.full((len(near), 3), np.nan)
     for k, (a, b) in enumerate(near.tolist()):
-        inside = [_inside(scene, hits, k, side, (a, b)) for side in (0, 1)]
+        depths[k], points[k] = _overlap(scene, hits[k], a, b)
+    found = np.flatnonzero(depths[which] > 0)
+    which = which[found]
+    return Penetrations(
+        pairs[found], depths[which], scene.like(pairs[found], near[which], points[which])
+    )
+
+
+def _overlap(scene: "Scene", hits: "tuple[_Hits, _Hits]", a: int, b: int) -> tuple[float, NDArray]:
+    """(depth, point) of the overlap of bodies a and b, ``hits`` `_Hits` of both their edges."""
+    inside = [
+        _inside(scene, one, body, other)
+        for one, body, other in zip(hits, (a, b), (b, a), strict=True)
+    ]
+    if not len(inside[0][1]) and not len(inside[1][1]):
+        depths = [_swallowed(scene, a, b), _swallowed(scene, b, a)]
+    else:
         depths = [
             _deepest(scene.meshes[other], points, crossings)
             for (points, crossings), other in zip(inside, (b, a), strict=True)
         ]
-        if not len(inside[0][1]) and not len(inside[1][1]):
-            depths = [_swallowed(scene, a, b), _swallowed(scene, b, a)]
-        depth, point = max(depths, key=lambda entry: entry[0])
-        if depth > 0:
-            found.append((a, b, depth, point))
-    return Penetrations(
-        np.array([entry[:2] for entry in found], int).reshape(-1, 2),
-        np.array([entry[2] for entry in found], float),
-        np.array([entry[3] for entry in found], float).reshape(-1, 3),
-    )
+    return max(depths, key=lambda entry: entry[0])
 
 
 class _Hits(NamedTuple):
@@ -61,19 +76,16 @@ class _Hits(NamedTuple):
     enters: np.ndarray
 
 
-def _hits(scene, pairs):
+def _hits(scene: "Scene", pairs: NDArray) -> _Hits:
     which, first, second = scene.near_triangles(pairs, _TOUCH)
     found = []
     for k in range(0, len(which), 1 << 15):
         part = slice(k, k + (1 << 15))
         for side, one, other in ((0, first[part], second[part]), (1, second[part], first[part])):
-            above = scene.corners[one] - scene.corners[other][:, :1]
-            above = np.matmul(above, scene.normals[other][:, :, None])[..., 0]
-            rows = np.flatnonzero(
-                (triangles.least_of_three(above) <= 0) & (triangles.most_of_three(above) >= 0)
-            )
-            one, other = one[rows], other[rows]
-            hit, share, enters = triangles.edges_through(scene.corners[one], scene.corners[other])
+            rows = np.flatnonzero(scene.reaches(one, other)[0])
+            one, other = one.take(rows), other.take(rows)
+            corners = scene.corners.take(one, 0), scene.corners.take(other, 0)
+            hit, share, enters = triangles.edges_through(*corners)
             row, corner = np.nonzero(hit)
             edge = 3 * one[row] + corner
             found.append((which[part][rows][row], np.full(len(row), side), edge, share[hit],
@@ -83,15 +95,23 @@ def _hits(scene, pairs):
     return _Hits(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
-def _inside(scene, hits, pair, side, bodies):
+def _grouped(hits: _Hits, count: int) -> list[tuple[_Hits, _Hits]]:
+    """`_Hits` of either side of every pair: count times two."""
+    key = 2 * hits.pair + hits.side
+    order = np.argsort(key, kind="stable")
+    ends = np.searchsorted(key[order], np.arange(2 * count + 1)).tolist()
+    hits = _Hits(*(column[order] for column in hits))
+    parts = [_Hits(*(c[i:j] for c in hits)) for i, j in pairwise(ends)]
+    return list(zip(parts[::2], parts[1::2], strict=True))
+
+
+def _inside(scene: "Scene", hits: _Hits, body: int, outer: int) -> tuple[NDArray, NDArray]:
     """Points (n, 3) of a body's edges that lie inside the other one, and where edges enter it."""
-    rows = np.flatnonzero((hits.pair == pair) & (hits.side == side))
-    body = bodies[side]
-    mesh, other = scene.meshes[body], scene.meshes[bodies[1 - side]]
-    local = hits.edge[rows] - 3 * scene.offset[body]
-    ends = half_edges(mesh.triangles)[local]
-    single = ends[:, 0] < ends[:, 1]  # every edge is met twice, once each way
-    rows, local, ends = rows[single], local[single], ends[single]
+    mesh, other = scene.meshes[body], scene.meshes[outer]
+    local = hits.edge - 3 * scene.offset[body]
+    ends = np.stack([mesh.triangles[local // 3, (local + k) % 3] for k in (0, 1)], 1)
+    rows = np.flatnonzero(ends[:, 0] < ends[:, 1])  # every edge is met twice, once each way
+    local, ends = local[rows], ends[rows]
     if not len(rows):
         return np.zeros((0, 3)), np.zeros((0, 3))
     share, enters = hits.share[rows], hits.enters[rows]
@@ -116,7 +136,7 @@ def _inside(scene, hits, pair, side, bodies):
     return np.concatenate([samples.reshape(-1, 3), corners]), crossings
 
 
-def _connected(mesh, seeds, crossed):
+def _connected(mesh: "Mesh", seeds: NDArray, crossed: NDArray) -> NDArray:
     """Vertices that hang together with ``seeds`` by edges that are not ``crossed``."""
     reached = np.zeros(len(mesh.vertices), bool)
     reached[seeds] = True
@@ -133,7 +153,7 @@ def _connected(mesh, seeds, crossed):
         reached[edges[touched].ravel()] = True
 
 
-def _deepest(mesh, points, crossings):
+def _deepest(mesh: "Mesh", points: NDArray, crossings: NDArray) -> tuple[float, NDArray]:
     """(depth, point): the largest distance from a mesh of ``points`` inside it."""
     if not len(points) or not len(crossings):
         return 0.0, np.full(3, np.nan)
@@ -162,7 +182,7 @@ def _deepest(mesh, points, crossings):
     return deepest, where
 
 
-def _depths(points, bounds, corners):
+def _depths(points: NDArray, bounds: NDArray, corners: NDArray) -> NDArray:
     """Distances (n,) of points from triangles, those of the latter that are within ``bounds``."""
     beside = np.maximum(corners.min(1) - points[:, None], points[:, None] - corners.max(1))
     near = (np.maximum(beside, 0) ** 2).sum(-1) <= bounds[:, None] ** 2 + 1e-12
@@ -172,10 +192,10 @@ def _depths(points, bounds, corners):
     return np.where(np.isfinite(square), np.sqrt(square), 0.0)
 
 
-def _swallowed(scene, inner, outer):
+def _swallowed(scene: "Scene", inner: int, outer: int) -> tuple[float, NDArray]:
     """(depth, point) where one body lies inside another without meeting its surface."""
     small, large = scene.meshes[inner], scene.meshes[outer]
-    box, around = small.bounds, large.bounds
+    box, around = scene.boxes[[inner, outer]]
     if (box[0] < around[0]).any() or (box[1] > around[1]).any():
         return 0.0, np.full(3, np.nan)
     point = small.vertices[0]
@@ -184,7 +204,7 @@ def _swallowed(scene, inner, outer):
     return float(np.min(around[1] - around[0])), point
 
 
-def _winding(mesh, points):
+def _winding(mesh: "Mesh", points: NDArray) -> NDArray:
     """Winding numbers (n,) of a mesh about points (n, 3): 1 inside, 0 outside."""
     corners, found = mesh.corners, np.empty(len(points))
     for k, point in enumerate(points):

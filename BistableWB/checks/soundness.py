@@ -1,77 +1,129 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Each body's mesh must be one closed, oriented surface that nowhere crosses itself."""
 
-import numpy as np
+from typing import TYPE_CHECKING
 
-from ..solids.mesh import component_labels, half_edges, unpaired_edges
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..origami.errors import ERROR, Finding, phrase
+from ..origami.meshes import component_labels, half_edges, unpaired_edges
 from . import triangles
-from .findings import ERROR, Finding
-from .trees import Scene
+
+if TYPE_CHECKING:
+    from ..origami.errors import Phrase
+    from ..origami.meshes import Mesh
+    from .bvh import Tree
 
 VOLUME_TOLERANCE = 0.005  # share by which a mesh's volume may differ from its solid's
 # Triangles lower than this (mm) are slivers: single precision, in which STL is written, loses them.
 LEAST_HEIGHT = 1e-5
-_REBUILD = "rebuild the solids, and report it if it stays so"
-_TINY = 1e-9  # mm
+_REBUILD = phrase("rebuild the solids, and report it if it stays so")
+_TOUCHING = 1e-6  # mm
 _FOLDED = 1 - 1e-9  # cosine of the angle below which neighbours lie on each other
 
 
-def check_mesh(name, mesh, tree):
+def check_mesh(name: str, mesh: "Mesh", tree: "Tree") -> list[Finding]:
     """List of `Finding` about one body's `Mesh` (mm); ``tree``: its `Tree`."""
     found = []
 
-    def error(code, number, what, points=()):
+    def error(code: str, number: float, what: "Phrase", points: ArrayLike = ()) -> None:
         where = tuple(map(tuple, np.asarray(points)[:20].tolist()))
-        message = f"The mesh of {name} {what}."
-        found.append(Finding(ERROR, code, (name,), float(number), 0.0, message, _REBUILD, where))
+        message = phrase("The mesh of {body} {fault}.", body=name, fault=what)
+        found.append(
+            Finding(
+                severity=ERROR,
+                code=code,
+                bodies=(name,),
+                number=float(number),
+                limit=0.0,
+                message=message,
+                cure=_REBUILD,
+                points=where,
+            )
+        )
 
     corners = mesh.corners
     slivers = corners[heights(corners) < LEAST_HEIGHT]
     if len(slivers):
-        error("degenerate", len(slivers), f"has {len(slivers)} triangles without area",
-              slivers.mean(1))  # fmt: skip
+        error("degenerate", len(slivers), phrase(
+            "has {count} triangles without area", count=len(slivers)), slivers.mean(1))  # fmt: skip
     loose = unpaired_edges(mesh.triangles)
     if len(loose):
         where = mesh.vertices[loose].mean(1)
         if _is_closed_unoriented(mesh.triangles):
-            what = "has triangles that face the wrong way"
+            what = phrase("has triangles that face the wrong way")
             error("orientation", len(loose), what, where)
         else:
-            error("open", len(loose), f"is not closed at {len(loose)} edges", where)
+            error(
+                "open",
+                len(loose),
+                phrase("is not closed at {count} edges", count=len(loose)),
+                where,
+            )
     elif mesh.volume <= 0:
-        error("inside_out", mesh.volume, "is inside out")
+        error("inside_out", mesh.volume, phrase("is inside out"))
     parts = component_labels(mesh.triangles, len(mesh.vertices)).max(initial=-1) + 1
     if parts != 1:
-        error("parts", parts, f"has {parts} separate parts instead of one")
+        error("parts", parts, phrase("has {count} separate parts instead of one", count=parts))
     crossing = self_intersections(tree)
     if len(crossing):
-        error("self_intersection", len(crossing), f"crosses itself at {len(crossing)} places",
-              crossing)  # fmt: skip
+        error("self_intersection", len(crossing), phrase(
+            "crosses itself at {count} places", count=len(crossing)), crossing)  # fmt: skip
     return found
 
 
-def check_volume(name, mesh, solid_volume):
-    """List of `Finding`: the mesh's volume against the solid's (mm³), to `VOLUME_TOLERANCE`."""
+def check_volume(name: str, mesh: "Mesh", solid_volume: float, slack: float = 0.0) -> list[Finding]:
+    """List of `Finding`: the mesh's volume against the solid's (mm³), to `VOLUME_TOLERANCE`.
+
+    ``slack``: mm³ that chords of round faces may take or add, where that is more: in thin panels
+    barrels are most of a body.
+    """
     off = abs(mesh.volume - solid_volume) / solid_volume
-    if off <= VOLUME_TOLERANCE:
+    if off <= max(VOLUME_TOLERANCE, slack / solid_volume):
         return []
-    message = (
-        f"The mesh of {name} has {mesh.volume:.5g} mm³, {off:.1%} off its solid's "
-        f"{solid_volume:.5g} mm³."
+    message = phrase(
+        "The mesh of {body} has {volume:.5g} mm³, {off:.1%} off its solid's {solid:.5g} mm³.",
+        body=name,
+        volume=mesh.volume,
+        off=off,
+        solid=solid_volume,
     )
-    return [Finding(ERROR, "volume", (name,), off, VOLUME_TOLERANCE, message,
-                    "make the linear and angular deflection smaller")]  # fmt: skip
+    return [
+        Finding(
+            severity=ERROR,
+            code="volume",
+            bodies=(name,),
+            number=off,
+            limit=VOLUME_TOLERANCE,
+            message=message,
+            cure=phrase("make the linear and angular deflection smaller"),
+        )
+    ]
 
 
-def check_count(parts, expected):
+def check_count(parts: int, expected: int) -> list[Finding]:
     """List of `Finding`: connected parts of a whole print against its number of bodies."""
     if parts == expected:
         return []
-    message = f"The print has {parts} separate parts instead of {expected} bodies."
-    return [Finding(ERROR, "body_count", (), float(parts), float(expected), message, _REBUILD)]
+    message = phrase(
+        "The print has {parts} separate parts instead of {expected} bodies.",
+        parts=parts,
+        expected=expected,
+    )
+    return [
+        Finding(
+            severity=ERROR,
+            code="body_count",
+            number=float(parts),
+            limit=float(expected),
+            message=message,
+            cure=_REBUILD,
+        )
+    ]
 
 
-def heights(corners):
+def heights(corners: NDArray) -> NDArray:
     """Smallest height of every triangle (t, 3, 3) → (t,), mm."""
     edges = corners[:, [1, 2, 0]] - corners
     longest = np.sqrt((edges**2).sum(-1).max(1))
@@ -79,34 +131,33 @@ def heights(corners):
     return area / np.where(longest > 0, longest, 1)
 
 
-def self_intersections(tree):
+def self_intersections(tree: "Tree") -> NDArray:
     """Middles (n, 3) of triangles of a mesh that cross others, or lie folded onto a neighbour."""
     mesh = tree.mesh
-    scene = Scene([tree], np.eye(4)[None])
-    _, first, second = scene.near_triangles([(0, 0)], 1e-6)
+    scene, first, second = tree.own_pairs(_TOUCHING)
+    near = scene.touching(first, second, _TOUCHING)
+    first, second = first[near], second[near]
+    for _ in range(2):  # first those that touch each other's planes, seen from either side
+        meet, _ = scene.reaches(first, second)
+        second, first = first[meet], second[meet]
     a, b = mesh.triangles[first], mesh.triangles[second]
     common = (a[:, :, None] == b[:, None, :]).sum((1, 2))
-    neighbours, apart = np.flatnonzero(common == 2), np.flatnonzero(common < 2)
+    # With a corner in common, one crosses the other only with what is really on both its sides.
+    deep = scene.reaches(first, second)[1] & scene.reaches(second, first)[1]
+    neighbours = np.flatnonzero(common == 2)
+    apart = np.flatnonzero((common == 0) | ((common == 1) & deep))
     crossing = np.zeros(len(first), bool)
     crossing[neighbours] = _folded(mesh.vertices, a[neighbours], b[neighbours])
     for p, q in ((first[apart], second[apart]), (second[apart], first[apart])):
-        rows = np.flatnonzero(_straddle(scene, p, q))
-        hit, _, _ = triangles.edges_through(scene.corners[p[rows]], scene.corners[q[rows]])
-        one, other = mesh.triangles[p[rows]], mesh.triangles[q[rows]]
+        hit, _, _ = triangles.edges_through(scene.corners[p], scene.corners[q])
+        one, other = mesh.triangles[p], mesh.triangles[q]
         shared = (one[:, :, None] == other[:, None, :]).any(2)
         free = ~shared & ~shared[:, [1, 2, 0]]  # an edge that starts at the other triangle meets it
-        crossing[apart[rows]] |= (hit & free).any(1)
+        crossing[apart] |= (hit & free).any(1)
     return scene.corners[first[crossing]].mean(1)
 
 
-def _straddle(scene, p, q):
-    """Whether triangles p have corners on both sides of the planes of triangles q: (n,) bool."""
-    above = np.matmul(scene.corners[p], scene.normals[q][:, :, None])[..., 0]
-    low, high = triangles.least_of_three(above), triangles.most_of_three(above)
-    return (low <= scene.heights[q] + _TINY) & (high >= scene.heights[q] - _TINY)
-
-
-def _folded(vertices, first, second):
+def _folded(vertices: NDArray, first: NDArray, second: NDArray) -> NDArray:
     """Whether neighbours with a common edge lie on each other, not side by side: (n,) bool."""
     common = (first[:, :, None] == second[:, None, :]).any(2)
     ends = first[common].reshape(-1, 2)
@@ -122,7 +173,7 @@ def _folded(vertices, first, second):
     return triangles.dot(*sides) > _FOLDED
 
 
-def _is_closed_unoriented(indices):
+def _is_closed_unoriented(indices: NDArray) -> bool:
     """Every edge has two triangles, whichever way round they are."""
     edges = np.sort(half_edges(indices), axis=1)
     _, count = np.unique(edges, axis=0, return_counts=True)

@@ -1,34 +1,61 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """All checks of a print, in the order in which a panel, a report and the command line show them."""
 
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from functools import partial
 from os import cpu_count
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..origami.creases import CREASES
-from ..origami.hinge_parameters import FLEXIBLE
-from ..origami.thick_tube import ThickTube
-from ..solids.mesh import Mesh
+from ..origami.errors import ERROR, NOTE, WARNING, Finding, phrase
+from ..origami.hinges.bed import check_bed
+from ..origami.hinges.processes import BY_POWDER, BY_STANDOFFS, BY_TIES, PROCESSES
+from ..origami.meshes import Mesh, joined
+from ..origami.units.creases import CREASES
 from . import walls
-from .bed import check_bed
-from .findings import ERROR, NOTE, WARNING, Finding
 from .layering import Layering
+from .printer import tighter_than_known
 from .printing import Print
 from .snapping import check_snap
+from .soundness import check_mesh
+from .table import ALL, CHECKS, TIED, TUBES
+from .tying import check_ties
 
-OPENINGS = (0.25, 0.5, 0.75, 1.0)  # at which bodies may overlap no more than the snap
+if TYPE_CHECKING:
+    from ..origami.hinges.parameters import HingeParameters
+    from ..origami.meshes import PlacedMesh
+    from .bvh import Tree
+    from .table import Check
+
 _WALL_TOLERANCE = 0.03  # mm by which triangles cut into round walls
 _CONE_TOLERANCE = 3.0  # degrees that triangles are steeper than a round cone
 
+_THIN_WALL = (
+    "A wall of {body}{more} is {thickness:.2f} mm thick, less than the nozzle of {limit:g} mm, and "
+    "would be left out."
+)
+_THIN_FLOOR = (
+    "A floor of {body}{more} is {thickness:.2f} mm thick, less than the layer of {limit:g} mm, and "
+    "would be left out."
+)
+
 
 class Standing(NamedTuple):
-    """How a print stands on the bed: ``turn`` (4, 4) from the flat one, and its support."""
+    """How a print stands on the bed: ``turn`` (4, 4) from the flat one, and its support.
+
+    ``more``: by how much its ends widen it and make it higher (mm), as of `bed.print_size`.
+    ``ties``: where they stand, or None where nothing is to be tied.
+    """
 
     turn: np.ndarray
     on_edge: bool = False
     support: Mesh | None = None
+    more: tuple[float, float] = (0.0, 0.0)
+    ties: tuple[Mesh, ...] | None = None
 
 
 class Suite:
@@ -36,83 +63,161 @@ class Suite:
 
     ``bodies``: `PlacedMesh` list, flat; ``volumes`` of their solids, mm³; ``parameters``:
     `HingeParameters`; ``printer``: `printer.Printer`; ``tube``: `ThickTube` and ``snap``:
-    `origami.snap.Snap`, for all but coupons; ``standing``: `Standing`, flat if not given.
+    `margin.Snap`, for all but coupons; ``standing``: `Standing`, flat if not given; ``is_trial``:
+    whether it is printed to see what fuses, which is no error then; ``known``: findings {code:
+    list} of checks that were made already, which an equal suite may take over.
     """
 
-    def __init__(self, bodies, volumes, parameters, printer, tube=None, snap=None, standing=None):
-        self.bodies, self.volumes = list(bodies), list(volumes)
+    def __init__(
+        self,
+        bodies: "Sequence[PlacedMesh]",
+        volumes: Sequence[float],
+        parameters: "HingeParameters",
+        printer: Any,
+        tube: Any = None,
+        snap: Any = None,
+        standing: Standing | None = None,
+        slacks: Sequence[float] | None = None,
+    ) -> None:
+        self.bodies, self.volumes, self.slacks = list(bodies), list(volumes), slacks
         self.parameters, self.printer = parameters, printer
-        self.tube: ThickTube | None = tube
+        self.tube = tube
         self.snap = snap
         self.standing = standing or Standing(np.eye(4))
-        self._print = None
+        self.is_trial = False
+        self.known: dict[str, list[Finding]] = {}
+        self._print: Any = None
+        self._pass: Any = None
 
-    def steps(self):
-        """(code, function that returns a list of `Finding`) of every check, the quick ones first.
+    def steps(self) -> Iterator[tuple[str, Callable[..., Any]]]:
+        """(code, function that returns a list of `Finding`) of every check that applies.
 
-        Codes: size, snap, solids, clearances, layers, walls, and overlaps with an opening in %.
+        Codes are those of `table.CHECKS`; of a check at several openings with each in %.
         """
-        if self.tube is not None:
-            yield "size", self.check_size
-            yield "snap", lambda: check_snap(self.snap)
-        yield "solids", lambda: self._whole().check_soundness(self.volumes)
-        yield "clearances", lambda: self._whole().check_flat(self.printer.resolution)
-        yield "layers", self.check_layers
-        yield "walls", self.check_walls
-        if self.tube is not None and self.parameters.hinge_type != FLEXIBLE:
-            for opening in OPENINGS:
-                yield f"overlaps {opening:.0%}", lambda o=opening: self.check_pose(o)
+        for code, check in CHECKS.items():
+            if not self._is_for(check):
+                continue
+            method = getattr(self, check.method)
+            if not check.openings:
+                yield code, partial(self._once, code, method)
+            for opening in check.openings:
+                at = f"{code} {opening:.0%}"
+                yield at, partial(self._once, at, method, opening)
 
-    def findings(self):
+    def _once(self, code: str, method: Callable[..., Any], *given: float) -> list[Finding]:
+        """What a check finds, from ``known`` if it was asked before."""
+        if code not in self.known:
+            self.known[code] = list(method(*given))
+        return list(self.known[code])
+
+    def _is_for(self, check: "Check") -> bool:
+        if self.tube is None:
+            return check.of == ALL
+        if check.of == TIED:
+            return self.standing.ties is not None
+        return check.of in (ALL, TUBES) or self.parameters.has_knuckles
+
+    def findings(self) -> Any:
         """`Finding` list of all steps."""
         return [finding for _, step in self.steps() for finding in step()]
 
-    def check_size(self):
+    def check_size(self) -> list[Finding]:
         """Whether it fits the bed."""
         given = self.printer.bed, self.tube.tube.incoming_left, self.standing.on_edge
-        return check_bed(self.tube.thick, self.parameters, *given)
+        return check_bed(self.tube.thick, self.parameters, *given, self.standing.more)
 
-    def check_pose(self, opening):
+    def check_snap(self) -> list[Finding]:
+        """Whether the units snap."""
+        return check_snap(self.snap)
+
+    def check_solids(self) -> list[Any]:
+        """Whether every body is a sound solid of the volume that it should have."""
+        return self._whole().check_soundness(self.volumes, self._own()[0], self.slacks)
+
+    def check_clearances(self) -> list[Finding] | None:
+        """Distances of moving bodies in the flat print."""
+        found = self._whole().check_flat(self.printer.resolution)
+        return [*found, *tighter_than_known(self.parameters, self.printer)]
+
+    def check_pose(self, opening: float) -> list[Finding]:
         """Overlaps at an opening."""
         thick = self.tube.thick
         misfits = thick.misfit(opening).reshape(-1, len(CREASES))
         compensated = bool(np.any(thick.shifts))
         motions = self.tube.motions(opening)
-        return self._whole().check_poses(motions, opening, misfits, compensated)
+        pressed = thick.rest.pressed if opening == 1 and thick.rest is not None else None
+        return self._whole().check_poses(motions, opening, misfits, compensated, pressed)
 
-    def check_layers(self):
+    def check_layers(self) -> list[Finding]:
         """What the layers make of the print as it stands on the bed."""
-        support = self.standing.support
+        support, ties = self.standing.support, self.standing.ties
+        if ties:
+            support = joined(list(ties) if support is None else [support, *ties])
+        process = PROCESSES[self.parameters.process]
         state = "off" if self.tube is not None and not self.standing.on_edge else "none"
+        if process.held == BY_STANDOFFS and self.parameters.standoffs is not None:
+            state = "stand-offs"
         state = state if support is None else "on"
-        return Layering(self.standing_bodies(), self.printer, support, state).findings()
+        alone = support is None and (state == "stand-offs" or process.held == BY_TIES)
+        layering = Layering(self.standing_bodies(), self.printer, support, state, alone)
+        found = layering.findings()
+        if process.held == BY_POWDER:
+            found = [finding for finding in found if finding.code not in ("overhang", "island")]
+        if not self.is_trial:
+            return found
+        return [replace(f, severity=WARNING) if f.severity == ERROR else f for f in found]
 
-    def check_walls(self):
+    def check_ties(self) -> list[Finding]:
+        """Whether ties hold what begins in mid-air, and come off."""
+        printer, ties = self.printer, self.standing.ties or ()
+        return check_ties(
+            self.standing_bodies(), ties, printer.layer_height, printer.nozzle_diameter
+        )
+
+    def check_walls(self) -> list[Finding]:
         """Walls against the nozzle, floors against the layers, cones against the overhang."""
-        bodies = self.standing_bodies()
-        trees = self._whole().trees
-        distinct = {}
-        for body, tree in zip(bodies, trees, strict=True):
-            upright = tuple(np.round(np.abs(body.place[2, :3]), 6))
-            distinct.setdefault((id(tree), upright), (body, tree))
-        with ThreadPoolExecutor(cpu_count()) as pool:
-            found = list(pool.map(lambda pair: self._body_walls(*pair), distinct.values()))
-        thin = [wall for made, _ in found for wall in made]
-        cones = [cone for _, cone in found if cone]
+        _, thin, cones = self._own()
         return [*self._wall_findings(thin), *self._cone_findings(cones)]
 
-    def _body_walls(self, body, tree):
-        reach = max(self.printer.nozzle_diameter, self.printer.layer_height)
-        thin = walls.thinnest_walls(tree, body.place, reach)
-        cone = walls.steepest_cone(body.placed)
-        return [(wall, body.name) for wall in thin], cone and (*cone, body.name)
+    def _own(
+        self,
+    ) -> tuple[
+        dict[int, list[Any]], list[tuple[walls.Wall, str]], list[tuple[float, NDArray, str]]
+    ]:
+        """What every mesh tells of itself, in one pass: (its findings, thin walls, cones).
 
-    def _wall_findings(self, thin):
+        Copies tell the same, once for every way in which they stand; ``findings`` by id of tree.
+        """
+        if self._pass is None:
+            alike: dict[Any, Any] = {}
+            for body, tree in zip(self.standing_bodies(), self._whole().trees, strict=True):
+                upright = tuple(np.round(np.abs(body.place[2, :3]), 6))
+                alike.setdefault(id(tree), (tree, {}))[1].setdefault(upright, body)
+            with ThreadPoolExecutor(cpu_count()) as pool:
+                found = list(pool.map(lambda entry: self._own_of(*entry), alike.values()))
+            sound = dict(zip(alike, (findings for findings, _, _ in found), strict=True))
+            thin = [wall for _, made, _ in found for wall in made]
+            self._pass = sound, thin, [cone for _, _, made in found for cone in made]
+        return self._pass
+
+    def _own_of(
+        self, tree: "Tree", bodies: "Mapping[tuple[float, ...], PlacedMesh]"
+    ) -> tuple[list[Any], list[tuple[walls.Wall, str]], list[tuple[float, NDArray, str]]]:
+        """The same of one tree, whose copies ``bodies`` {way of standing: body}."""
+        reach = max(self.printer.nozzle_diameter, self.printer.layer_height)
+        thin, cones = [], []
+        for body in bodies.values():
+            thin += [(w, body.name) for w in walls.thinnest_walls(tree, body.place, reach)]
+            cone = walls.steepest_cone(body.placed)
+            cones += [(*cone, body.name)] if cone else []
+        name = next(iter(bodies.values())).name
+        findings = check_mesh(name, tree.mesh, tree)
+        tree.forget()
+        return findings, thin, cones
+
+    def _wall_findings(self, thin: Sequence[tuple[walls.Wall, str]]) -> list[Finding]:
         printer, found = self.printer, []
-        for floor, what, least, limit in (
-            (False, "wall", "nozzle", printer.nozzle_diameter),
-            (True, "floor", "layer", printer.layer_height),
-        ):
+        for floor, limit in (False, printer.nozzle_diameter), (True, printer.layer_height):
             short = [
                 (wall.thickness, name, tuple(wall.point.tolist()))
                 for wall, name in thin
@@ -121,42 +226,89 @@ class Suite:
             if short:
                 thickness, name, _ = min(short)
                 other = len(short) - 1
-                more = f" (and of {other} other bod{'ies' if other > 1 else 'y'})" if other else ""
-                found.append(Finding(
-                    ERROR, "wall", (name,), thickness, limit,
-                    f"A {what} of {name}{more} is {thickness:.2f} mm thick, less than the {least} "
-                    f"of {limit:g} mm, and would be left out.",
-                    "make FaceThickness larger", tuple(entry[2] for entry in sorted(short)[:20]),
-                ))  # fmt: skip
-        text = "No wall is thinner than the nozzle, no floor thinner than a layer."
-        return found or [Finding(NOTE, "wall", (), None, printer.nozzle_diameter, text)]
+                more = phrase(
+                    " (and of {count} other bodies)"
+                    if other > 1
+                    else " (and of {count} other body)",
+                    count=other,
+                )
+                found.append(
+                    Finding(
+                        severity=ERROR,
+                        code="wall",
+                        bodies=(name,),
+                        number=thickness,
+                        limit=limit,
+                        message=phrase(
+                            _THIN_FLOOR if floor else _THIN_WALL,
+                            body=name,
+                            more=more if other else "",
+                            thickness=thickness,
+                            limit=limit,
+                        ),
+                        cure=phrase("make {FaceThickness} larger"),
+                        points=tuple(entry[2] for entry in sorted(short)[:20]),
+                    )
+                )
+        text = phrase("No wall is thinner than the nozzle, no floor thinner than a layer.")
+        return found or [
+            Finding(
+                severity=NOTE,
+                code="wall",
+                limit=printer.nozzle_diameter,
+                message=text,
+            )
+        ]
 
-    def _cone_findings(self, cones):
+    def _cone_findings(self, cones: Sequence[tuple[float, NDArray, str]]) -> list[Finding]:
         if not cones:
             return []
         angle, point, name = max(cones, key=lambda entry: entry[0])
         steepest, where = self.printer.steepest, (tuple(point.tolist()),)
         if angle <= steepest + _CONE_TOLERANCE:
-            text = (
-                f"The cones hang over by {angle:.0f}° from the vertical and print without support."
+            text = phrase(
+                "The cones hang over by {angle:.0f}° from the vertical and print without support.",
+                angle=angle,
             )
-            return [Finding(NOTE, "cone", (), angle, steepest, text)]
-        return [Finding(
-            WARNING, "cone", (name,), angle, steepest,
-            f"The cones of {name} hang over by {angle:.0f}° from the vertical, more than the "
-            f"{steepest:g}° that print without support.",
-            "set Orientation to Flat: on edge, slanted hinges lean their cones"
-            if self.standing.on_edge
-            else f"make ConeAngle {steepest:g}° or less",
-            where,
-        )]  # fmt: skip
+            return [
+                Finding(
+                    severity=NOTE,
+                    code="cone",
+                    number=angle,
+                    limit=steepest,
+                    message=text,
+                )
+            ]
+        return [
+            Finding(
+                severity=WARNING,
+                code="cone",
+                bodies=(name,),
+                number=angle,
+                limit=steepest,
+                message=phrase(
+                    "The cones of {name} hang over by {angle:.0f}° from the vertical, more "
+                    "than the {steepest:g}° that print without support.",
+                    name=name,
+                    angle=angle,
+                    steepest=steepest,
+                ),
+                cure=phrase("set {Orientation} to Flat: on edge, slanted hinges lean their cones")
+                if self.standing.on_edge
+                else phrase(
+                    "make {ConeAngle} {steepest:g}° or less",
+                    steepest=steepest,
+                ),
+                points=where,
+            )
+        ]
 
-    def standing_bodies(self):
+    def standing_bodies(self) -> "list[PlacedMesh]":
         """`PlacedMesh` list of the bodies as they stand on the bed."""
         turn = self.standing.turn
         return [body._replace(place=turn @ body.place) for body in self.bodies]
 
-    def _whole(self):
+    def _whole(self) -> Any:
         """The `Print`, made when it is asked for first."""
         self._print = self._print or Print(self.bodies, self.parameters)
         return self._print

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Walls and cones, measured on a mesh: where it is thinnest, and how far its cones hang over."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..solids.mesh import component_labels, half_edges
+from ..origami.meshes import component_labels, half_edges
 from . import triangles
-from .trees import Scene
+
+if TYPE_CHECKING:
+    from ..origami.meshes import Mesh
+    from .bvh import Scene, Tree
 
 _OPPOSITE = -np.cos(np.pi / 4)  # two sides of a wall face away from each other, up to a taper
 _BEHIND = 1e-4  # mm by which each side of a wall must lie behind the other
@@ -27,37 +31,39 @@ class Wall(NamedTuple):
     floor: bool
 
 
-def thinnest_walls(tree, place, reach):
+def thinnest_walls(tree: "Tree", place: NDArray, reach: float) -> list[Wall]:
     """The thinnest upright `Wall` and the thinnest floor, where thinner than ``reach`` mm.
 
     A wall is the material between two faces that look away from each other within 45°, lie opposite
     each other and do not meet: a sharp corner in plan is none. ``tree``: the body's `Tree`;
     ``place``: how it lies.
     """
-    scene = Scene([tree], np.asarray(place)[None])
-    _, first, second = scene.near_triangles([(0, 0)], reach)
-    away = triangles.dot(scene.normals[first], scene.normals[second]) < _OPPOSITE
+    scene, first, second = tree.own_pairs(reach)
+    normals = scene.normals
+    away = triangles.dot(normals.take(first, 0), normals.take(second, 0)) < _OPPOSITE
     first, second = first[away], second[away]
     through = _is_behind(scene, first, second) & _is_behind(scene, second, first)
     first, second = first[through], second[through]
-    thickness = triangles.distances(scene.corners[first], scene.corners[second])
+    thickness = scene.distances(first, second)
     rows = np.flatnonzero(thickness < reach)
     rows = rows[_opposite(scene, first[rows], second[rows])]
     rows = rows[np.argsort(thickness[rows], kind="stable")]
-    floor = np.abs(scene.normals[first[rows], 2]) > _UPRIGHT
-    faces = _faces(scene.meshes[0], scene.normals, _FLAT)
+    place = np.asarray(place)
+    floor = np.abs(scene.normals[first[rows]] @ place[2, :3]) > _UPRIGHT
+    faces = _faces(tree.mesh, scene.normals, _FLAT) if len(rows) else None
     found = []
     for lying in (False, True):
         for row in rows[floor == lying]:
             a, b = first[row], second[row]
             if not _meet(tree.mesh.triangles, faces, a, b):
                 middle = (scene.corners[a].mean(0) + scene.corners[b].mean(0)) / 2
+                middle = place[:3, :3] @ middle + place[:3, 3]
                 found.append(Wall(float(thickness[row]), middle, lying))
                 break
     return found
 
 
-def steepest_cone(mesh):
+def steepest_cone(mesh: "Mesh") -> tuple[float, NDArray] | None:
     """Largest overhang (degrees from the vertical) of any cone or its recess, and where; or None.
 
     ``mesh``: the body as it lies. Cones are found by their normals, which all make one angle with
@@ -82,13 +88,12 @@ def steepest_cone(mesh):
     return float(np.degrees(np.arcsin(-normals[worst, 2]))), mesh.corners[worst].mean(0)
 
 
-def _is_behind(scene, one, other):
+def _is_behind(scene: "Scene", one: NDArray, other: NDArray) -> NDArray:
     """Whether some of each triangle ``other`` lies behind the plane of triangle ``one``."""
-    above = np.matmul(scene.corners[other], scene.normals[one][:, :, None])[..., 0]
-    return triangles.least_of_three(above) < scene.heights[one] - _BEHIND
+    return scene.above(other, one)[0] < -_BEHIND
 
 
-def _opposite(scene, first, second):
+def _opposite(scene: "Scene", first: NDArray, second: NDArray) -> NDArray:
     """Whether the shadows of two triangles on the plane of the first one overlap: (n,) bool."""
     one, other = scene.corners[first], scene.corners[second]
     normal = scene.normals[first]
@@ -102,7 +107,7 @@ def _opposite(scene, first, second):
     return ~apart
 
 
-def _faces(mesh, normals, alike):
+def _faces(mesh: "Mesh", normals: NDArray, alike: float) -> NDArray:
     """Label (t,) of the face of every triangle: neighbours whose normals are alike are one."""
     edges = np.sort(half_edges(mesh.triangles), 1)
     order = np.lexsort(edges.T)
@@ -115,7 +120,7 @@ def _faces(mesh, normals, alike):
     return component_labels(rows, len(every))[: len(every)]
 
 
-def _meet(indices, faces, first, second):
+def _meet(indices: NDArray, faces: Any, first: int, second: int) -> bool:
     """Whether the faces of two triangles have a corner in common: they end in a sharp edge."""
     corners = [np.unique(indices[faces == faces[k]]) for k in (first, second)]
     return bool(np.isin(*corners).any())

@@ -4,13 +4,13 @@
 import FreeCADGui as Gui
 
 from .. import ICONS, TRANSLATIONS
-from ..objects import type_of
+from ..objects import TYPES, type_of
 from .base import QT_TRANSLATE_NOOP
 from .create import CurveCommand, CurveOnSphere, NewTube, TrianglePlacement, Units
 from .drawing import DrawCurve
 from .files import OpenExample, ShowHelp
-from .fit import AutoFit
-from .hinges import HingeCoupon, HingeSet
+from .fit import AutoFit, MakePrintable
+from .hinges import Calibration, HingeCoupon, HingeSet
 from .importing import Import
 from .motion import Deploy
 from .output import Check, ExportPrint, Report
@@ -25,11 +25,13 @@ COMMANDS = (
     Import(),
     TrianglePlacement(),
     Units(),
+    MakePrintable(),
     AutoFit(),
     Deploy(),
     Plots(),
     HingeSet(),
     HingeCoupon(),
+    Calibration(),
     ExportPrint(),
     Check(),
     Report(),
@@ -39,9 +41,9 @@ COMMANDS = (
 )
 
 _DESIGN = [NewTube.name, "Separator", DrawCurve.name, CurveCommand.name, CurveOnSphere.name,
-           Import.name, TrianglePlacement.name, Units.name, AutoFit.name]  # fmt: skip
-_PRINT = [Deploy.name, Plots.name, HingeSet.name, HingeCoupon.name, Check.name, ExportPrint.name,
-          Report.name]  # fmt: skip
+           Import.name, TrianglePlacement.name, Units.name, MakePrintable.name]  # fmt: skip
+_PRINT = [Deploy.name, Plots.name, HingeSet.name, HingeCoupon.name, Calibration.name, Check.name,
+          ExportPrint.name, Report.name]  # fmt: skip
 _REST = [OpenExample.name, Repair.name, ShowHelp.name]
 
 TOOLBARS = {
@@ -60,24 +62,7 @@ MENUS = {
 
 # Type of the selected object -> commands that go on from it.
 CONTEXT = {
-    "Bistable::Curve": [TrianglePlacement.name, Units.name, AutoFit.name],
-    "Bistable::TrianglePlacement": [Units.name, AutoFit.name],
-    "Bistable::BistableUnit": [
-        AutoFit.name,
-        Deploy.name,
-        Plots.name,
-        HingeSet.name,
-        ExportPrint.name,
-    ],
-    "Bistable::HingeSet": [
-        AutoFit.name,
-        Deploy.name,
-        Plots.name,
-        Check.name,
-        ExportPrint.name,
-        Report.name,
-    ],
-    "Bistable::HingeCoupon": [Check.name, ExportPrint.name, Report.name],
+    type_name: [f"Bistable_{name}" for name in entry.menu] for type_name, entry in TYPES.items()
 }
 
 

@@ -3,7 +3,8 @@
 
 import FreeCAD as App
 
-from . import chosen
+from .. import settings
+from ..scene import chosen
 from .base import QT_TRANSLATE_NOOP, Command, Script, by_name, fit_view, quoted, translate
 
 CURVE, TRIANGLES = "Bistable::Curve", "Bistable::TrianglePlacement"
@@ -26,7 +27,7 @@ class NewTube(Command):
         """Curve, triangles and units in one step, seen from above at an angle."""
         with Script(translate("Bistable_NewTube", "New tube")) as script:
             script.add("curve = make.make_curve(doc)")
-            script.add("triangles = make.make_triangle_placement(doc, curve)")
+            script.add("triangles = make.make_triangle_placement(doc, curve, **make.NEW_TUBE)")
             script.add("units = make.make_bistable_unit(doc, triangles)")
         fit_view(isometric=True)
 
@@ -154,7 +155,13 @@ def add_triangles(script):
         add_curve(script, chosen.edges())
     else:
         script.add(f"curve = {by_name(curve)}")
-    script.add("triangles = make.make_triangle_placement(doc, curve)")
+    script.add(new_triangles())
+
+
+def new_triangles():
+    """Line for triangles along the curve in ``curve``, of a width that suits it and the printer."""
+    bed = tuple(round(x, 6) for x in settings.bed())
+    return f"triangles = make.make_triangle_placement(doc, curve, **make.new_tube(curve, {bed}))"
 
 
 def select(script, variable):

@@ -41,7 +41,7 @@ class DrawCurve(Command):
         Gui.doCommand("from BistableWB import make")
         Gui.doCommand("doc = App.ActiveDocument")
         Gui.doCommand("curve = make.make_curve(doc, points=[])")
-        Gui.doCommand("triangles = make.make_triangle_placement(doc, curve)")
+        Gui.doCommand("triangles = make.make_triangle_placement(doc, curve, **make.NEW_TUBE)")
         curve = doc.Objects[-2]
         Gui.doCommandGui(f"Gui.ActiveDocument.setEdit({by_name(curve)}.Name)")
 

@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import EXAMPLES, RESOURCES, design
+from .. import EXAMPLES, RESOURCES
 from ..objects import type_of
 from .base import QT_TRANSLATE_NOOP, Command, fit_view, quoted, translate
 
@@ -24,9 +24,11 @@ class OpenExample(Command):
 
     def run(self):
         """Show the names of the examples at the mouse; the chosen one is made."""
+        from ..designs import reading
+
         self.menu = QtGui.QMenu(Gui.getMainWindow())
         for path in examples():
-            action = self.menu.addAction(design.read(path).title)
+            action = self.menu.addAction(reading.read(path).title)
             action.triggered.connect(lambda checked=False, path=path: make_example(path))
         self.menu.popup(QtGui.QCursor.pos())
 
@@ -39,9 +41,10 @@ def examples():
 def make_example(path):
     """Make the example ``path``, a design file of ours, in a new document, and show it."""
     name = path.stem.title().replace("-", "")
-    Gui.doCommand("from BistableWB import EXAMPLES, design, produce")
+    Gui.doCommand("from BistableWB import EXAMPLES")
+    Gui.doCommand("from BistableWB.designs import building, reading")
     Gui.doCommand(f"doc = App.newDocument({quoted(name)})")
-    Gui.doCommand(f"produce.build(doc, design.read(EXAMPLES / {quoted(path.name)}))")
+    Gui.doCommand(f"building.build(doc, reading.read(EXAMPLES / {quoted(path.name)}))")
     hinges = [obj for obj in App.ActiveDocument.Objects if type_of(obj) == "Bistable::HingeSet"]
     for part in (part for obj in hinges for part in obj.OutListRecursive):
         part.ViewObject.Visibility = False  # the flat print lies where they are

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that make what is printed: hinge sets and coupons."""
 
-from ..viewproviders import settings
-from . import chosen
+from .. import settings
+from ..scene import chosen
 from .base import QT_TRANSLATE_NOOP, Command, Script, by_name, fit_view, translate
 
 UNIT = "Bistable::BistableUnit"
@@ -64,6 +64,29 @@ class HingeCoupon(Command):
         with Script(translate("Bistable_HingeCoupon", "Hinge coupon")) as script:
             script.add('coupon = make.make_hinge_coupon(doc, "Dihedral", preset=None)')
             for line in settings.hinge_lines("coupon"):
+                script.add(line)
+            script.view("Gui.Selection.clearSelection()")
+        fit_view(isometric=True)
+
+
+class Calibration(Command):
+    """A plate that tells what this printer keeps apart, and the question what came out."""
+
+    name = "Bistable_Calibration"
+    icon = "CalibrationPlate"
+    text = QT_TRANSLATE_NOOP("Bistable_Calibration", "Calibration plate")
+    tip = QT_TRANSLATE_NOOP(
+        "Bistable_Calibration",
+        "Make one small print that tells which clearance your printer keeps open. When it is "
+        "printed, edit the plate and say which hinges turn: new hinges and checks follow",
+    )
+    shortcut = "O, Y"
+
+    def run(self):
+        """Make the plate with the printer's own numbers."""
+        with Script(translate("Bistable_Calibration", "Calibration plate")) as script:
+            script.add("plate = make.make_calibration_plate(doc)")
+            for line in settings.hinge_lines("plate", without=("GapLength",)):
                 script.add(line)
             script.view("Gui.Selection.clearSelection()")
         fit_view(isometric=True)

@@ -4,7 +4,9 @@
 import FreeCADGui as Gui
 
 from ..objects import type_of
-from . import chosen
+from ..objects.refused import refusal_of
+from ..origami.errors import Refusal
+from ..scene import chosen
 from .base import QT_TRANSLATE_NOOP, Command, print_error
 
 _MOVING = ("Bistable::HingeSet", "Bistable::BistableUnit")
@@ -33,12 +35,12 @@ class Deploy(Command):
 
         obj = moving_object()
         if not obj.isValid():
-            print_error(obj.getStatusString(), obj.Label)
+            print_error(refusal_of(obj), obj.Label)
             return
         Gui.Selection.clearSelection()
         try:
             panel = DeployPanel(obj)
-        except ValueError as error:
+        except Refusal as error:
             print_error(error, obj.Label)
             return
         Gui.Control.showDialog(panel)

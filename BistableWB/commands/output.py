@@ -8,15 +8,17 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from ..exporters import FORMATS
-from ..objects import type_of
-from ..viewproviders import settings
-from . import chosen
-from .base import QT_TRANSLATE_NOOP, Command, by_name, is_cancel, print_error, quoted, translate
+from .. import settings
+from ..exporters import FORMATS, suffix_of
+from ..objects import TYPES, type_of
+from ..objects.links import followed
+from ..origami.errors import Refusal
+from ..origami.progress import Cancelled
+from ..scene import chosen
+from .base import QT_TRANSLATE_NOOP, Command, by_name, print_error, quoted, translate
 
-PRINTS = ("Bistable::HingeSet", "Bistable::HingeCoupon")
+PRINTS = tuple(name for name, entry in TYPES.items() if entry.is_print)
 _EXPORTED = (*PRINTS, "Bistable::BistableUnit")
-_FIRST = (".3mf", ".stl", ".step")  # what most people send to a printer
 
 
 class ExportPrint(Command):
@@ -34,41 +36,51 @@ class ExportPrint(Command):
 
     def IsActive(self):
         """With something to write."""
-        return exported_object() is not None
+        return bool(exported_objects())
 
     def run(self):
         """Ask for a file name and write; formats with choices of their own ask for these too."""
-        from ..taskpanels.export import OPTIONS, ExportPanel
+        from ..taskpanels.export import ExportPanel
 
-        obj = exported_object()
-        path, options = ask_for_path(obj)
+        objects = exported_objects()
+        path, options = ask_for_path(objects[0])
         if not path:
             return
-        if Path(path).suffix.lower() in OPTIONS and not Gui.Control.activeDialog():
-            Gui.Control.showDialog(ExportPanel(obj, path, write))
+        if FORMATS[suffix_of(Path(path))].panel and not Gui.Control.activeDialog():
+            Gui.Control.showDialog(ExportPanel(objects, path, write))
         else:
-            write(obj, path, **options)
+            write(objects, path, **options)
 
 
-def exported_object():
-    """The selected print or tube, else the newest print, else the newest tube."""
-    for obj in Gui.Selection.getSelection():
-        if type_of(obj) in _EXPORTED:
-            return obj
-    return next((obj for obj in map(chosen.newest, _EXPORTED) if obj is not None), None)
+def exported_objects():
+    """All selected prints and tubes, else the newest print, else the newest tube."""
+    return _selected(_EXPORTED)
+
+
+def _selected(types):
+    """Selected objects of these types, what a link stands for; else the newest of the first type.
+
+    They are of one document, that of the first.
+    """
+    picked = [followed(obj) for obj in Gui.Selection.getSelection("*")]
+    picked = list(dict.fromkeys(obj for obj in picked if type_of(obj) in types))
+    if picked:
+        return [obj for obj in picked if obj.Document is picked[0].Document]
+    newest = next((obj for obj in map(chosen.newest, types) if obj is not None), None)
+    return [] if newest is None else [newest]
 
 
 def ask_for_path(obj):
     """File name for ``obj``, in the folder used last, and options; empty where none is wanted."""
-    suffixes = [*_FIRST, *(suffix for suffix in FORMATS if suffix not in _FIRST)]
-    kinds = {_kind(suffix): (suffix, {}) for suffix in suffixes}
+    kinds = {_kind(suffix): (suffix, {}) for suffix in FORMATS}
+    shapes = [s for s, entry in FORMATS.items() if entry.has_states and not entry.same_as]
     if hasattr(obj.Proxy, "bodies_at"):
         for state, text in (
             ("deployed", translate("Bistable_ExportPrint", "deployed")),
             ("flat", translate("Bistable_ExportPrint", "flat")),
         ):
             if state == "deployed" or type_of(obj) not in PRINTS:  # which are flat anyway
-                for suffix in (*_FIRST, ".obj"):
+                for suffix in shapes:
                     kinds[_kind(suffix, text)] = suffix, {"state": state}
     return _asked(translate("Bistable_ExportPrint", "Export print"), obj, kinds)
 
@@ -90,44 +102,54 @@ def _asked(title, obj, kinds):
         Gui.getMainWindow(), title, start, ";;".join(kinds)
     )
     suffix, options = kinds.get(chosen) or next(iter(kinds.values()))
-    own = Path(path).suffix.lower()
+    own = suffix_of(Path(path))
     if path and own not in {known for known, _ in kinds.values()}:
         path += suffix
     return path, options if own in ("", suffix) else {}
 
 
-def write(obj, path, **options):
-    """Export ``obj`` to ``path``; what became of it is in the report view. True if it went well."""
+def write(objects, path, **options):
+    """Export one object or a list; the report view says what became of it. True if it went well."""
+    objects = _listed(objects)
     given = "".join(f", {name}={value!r}" for name, value in options.items())
     return _write(
-        obj,
+        objects,
         path,
         "from BistableWB.exporters import export",
-        f"export({by_name(obj)}, {quoted(str(path))}{given})",
+        f"export({_names(objects)}, {quoted(str(path))}{given})",
     )
 
 
-def _write(obj, path, *lines):
+def _listed(objects):
+    return objects if isinstance(objects, list) else [objects]
+
+
+def _names(objects):
+    """The Python expression of one object, or of a list of them."""
+    names = ", ".join(map(by_name, objects))
+    return names if len(objects) == 1 else f"[{names}]"
+
+
+def _write(objects, path, *lines):
     """Run, and record, lines that write ``path``; say what became of it. True if it went well."""
     settings.group().SetString("ExportFolder", str(Path(path).parent))
     QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
     try:
-        for line in (f"doc = App.getDocument({quoted(obj.Document.Name)})", *lines):
+        for line in (f"doc = App.getDocument({quoted(objects[0].Document.Name)})", *lines):
             Gui.doCommand(line)
-    except ValueError as error:
+    except Refusal as error:
         print_error(error)
         return False
-    except RuntimeError as error:
-        if not is_cancel(error):
-            raise
+    except Cancelled:
         text = translate("Bistable", "{}: cancelled, the document is as it was.")
         App.Console.PrintMessage(text.format(Path(path).name) + "\n")
         return False
     finally:
         QtGui.QApplication.restoreOverrideCursor()
     size = Path(path).stat().st_size
+    labels = ", ".join(obj.Label for obj in objects)
     text = translate("Bistable_ExportPrint", "{} was written to {} ({} kB).")
-    App.Console.PrintMessage(text.format(obj.Label, path, max(1, round(size / 1000))) + "\n")
+    App.Console.PrintMessage(text.format(labels, path, max(1, round(size / 1000))) + "\n")
     return True
 
 
@@ -146,32 +168,33 @@ class Report(Command):
 
     def IsActive(self):
         """With something to report on."""
-        return exported_object() is not None
+        return bool(exported_objects())
 
     def run(self):
         """Ask for a file name, write, and show the page."""
-        obj = exported_object()
+        objects = exported_objects()
         kinds = {_kind(".html"): (".html", {})}
-        if type_of(obj) == PRINTS[0]:
+        if any(type_of(obj) == PRINTS[0] for obj in objects):
             with_slicer = translate("Bistable_Report", "with the slicer's comparison (minutes)")
             kinds[_kind(".html", with_slicer)] = ".html", {"with_slicer": True}
-        path, options = _asked(translate("Bistable_Report", "Report"), obj, kinds)
+        path, options = _asked(translate("Bistable_Report", "Report"), objects[0], kinds)
         if path:
-            report(obj, path, **options)
+            report(objects, path, **options)
 
 
-def report(obj, path, **options):
-    """Write the report on ``obj`` to ``path`` and open it; what became of it is in the report view.
+def report(objects, path, **options):
+    """Write the report on one object or a list to ``path``, and open it.
 
     ``options`` as of `document_report.write`. Esc stops it, and leaves a file that is there as it
     was.
     """
+    objects = _listed(objects)
     given = "".join(f", {name}={value!r}" for name, value in options.items())
     lines = (
         "from BistableWB import document_report",
-        f"document_report.write({by_name(obj)}, {quoted(str(path))}{given})",
+        f"document_report.write({_names(objects)}, {quoted(str(path))}{given})",
     )
-    if _write(obj, path, *lines) and not QtGui.QDesktopServices.openUrl(
+    if _write(objects, path, *lines) and not QtGui.QDesktopServices.openUrl(
         QtCore.QUrl.fromLocalFile(str(path))
     ):
         text = translate("Bistable_Report", "No browser could be started: open {} yourself.")
@@ -193,19 +216,13 @@ class Check(Command):
 
     def IsActive(self):
         """With a print to check."""
-        return checked_object() is not None
+        return bool(_selected(PRINTS))
 
     def run(self):
         """Open the panel of the checks."""
-        from ..taskpanels.check import CheckPanel
+        from ..taskpanels.check import CheckPanel, CheckPanels
 
-        if not Gui.Control.activeDialog():
-            Gui.Control.showDialog(CheckPanel(checked_object()))
-
-
-def checked_object():
-    """The selected print, else the newest one."""
-    for obj in Gui.Selection.getSelection():
-        if type_of(obj) in PRINTS:
-            return obj
-    return next((obj for obj in map(chosen.newest, PRINTS) if obj is not None), None)
+        if Gui.Control.activeDialog():
+            return
+        panels = [CheckPanel(obj) for obj in _selected(PRINTS)]
+        Gui.Control.showDialog(panels[0] if len(panels) == 1 else CheckPanels(panels))

@@ -3,7 +3,6 @@
 
 import FreeCAD as App
 
-from .. import make
 from .base import QT_TRANSLATE_NOOP, Command, translate
 
 
@@ -35,6 +34,8 @@ class Repair(Command):
 
 def repair_document(doc):
     """`make.repair` as one undo step."""
+    from .. import make
+
     doc.openTransaction(translate("Bistable_Repair", "Repair objects"))
     repaired = make.repair(doc)
     doc.commitTransaction()

@@ -6,40 +6,26 @@ or raises. It need not care about half-written files: `export` lets it write int
 beside the target, and only a whole file takes the old one's place.
 """
 
-import errno
 import importlib
 import inspect
-import os
-import shutil
-import tempfile
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
+from ..files import check_target, refuse_to_write, whole_file
+from ..origami.errors import Refusal, phrase
 from .bodies import Body, bodies_of
+from .formats import FORMATS, suffix_of, suffixes
 
-__all__ = ["FORMATS", "Body", "export", "suffixes"]
+if TYPE_CHECKING:
+    import FreeCAD as App
 
-# Suffix -> module of this package. To add a format, add its module and a line here.
-FORMATS = {
-    ".3mf": "threemf",
-    ".dxf": "dxf",
-    ".fold": "fold",
-    ".obj": "obj",
-    ".scad": "scad",
-    ".step": "step",
-    ".stl": "stl",
-    ".stp": "step",
-    ".svg": "svg",
-}
-# Those that hold every state, or a program that makes them.
-_ALL_STATES = (".dxf", ".fold", ".scad", ".svg")
+__all__ = ["FORMATS", "Body", "export", "suffix_of", "suffixes"]
 
 
-def suffixes():
-    """Suffixes that `export` knows, as text for people."""
-    return ", ".join(FORMATS)
-
-
-def export(objects, path, **options):
+def export(
+    objects: "App.DocumentObject | Iterable[Any] | Sequence[Any]", path: Path, **options: Any
+) -> Path:
     """Write document objects to ``path`` in the format of its suffix; returns the path.
 
     ``objects``: one object or several, recomputed. Options are the format's own; formats of shapes
@@ -54,55 +40,53 @@ def export(objects, path, **options):
     if not isinstance(objects, list | tuple):
         objects = [objects] if objects is not None else []
     bodies = bodies_of(objects, state)
+    return _written(write, bodies, path, options)
+
+
+def write_bodies(bodies: Sequence[Any], path: Path, **options: Any) -> Path:
+    """Write a list of `Body` (shapes, or `bodies.Drawn` where no kernel is needed); the path.
+
+    As `export`, for who has no document.
+    """
+    path = Path(path)
+    return _written(_writer(path, options), bodies, path, options)
+
+
+def _written(
+    write: Callable[..., Any], bodies: Sequence[Any], path: Path, options: Mapping[str, Any]
+) -> Path:
     check_target(path)
     try:
-        _write_whole(write, bodies, path, options)
+        with whole_file(path) as unfinished:
+            write(bodies, unfinished, **options)
     except OSError as error:
         refuse_to_write(path, error)
     return path
 
 
-def _writer(path, options):
+def _writer(path: Path, options: Mapping[str, Any]) -> Callable[..., Any]:
     """Function that writes the format of ``path``, its options checked."""
-    suffix = path.suffix.lower()
+    suffix = suffix_of(path)
     if suffix not in FORMATS:
-        what = f"the suffix {path.suffix}" if path.suffix else "no suffix"
-        raise ValueError(f"{path.name} has {what}: name the file with one of {suffixes()}.")
-    write = importlib.import_module(f"{__name__}.{FORMATS[suffix]}").write
+        what = phrase("the suffix {suffix}" if path.suffix else "no suffix", suffix=path.suffix)
+        raise Refusal(
+            "{name} has {what}: name the file with one of {suffixes}.",
+            name=path.name,
+            what=what,
+            suffixes=suffixes(),
+        )
+    write = importlib.import_module(f"{__name__}.{FORMATS[suffix].module}").write
     known = [p.name for p in inspect.signature(write).parameters.values()][2:]
-    known += [] if suffix in _ALL_STATES else ["state"]
+    known += ["state"] if FORMATS[suffix].has_states else []
     for name in options:
         if name not in known:
-            offers = f"it has {', '.join(known)}" if known else "it has none"
-            raise ValueError(f"{suffix} export has no option {name!r}: {offers}.")
+            offers = phrase(
+                "it has {options}" if known else "it has none", options=", ".join(known)
+            )
+            raise Refusal(
+                "{suffix} export has no option {name!r}: {offers}.",
+                suffix=suffix,
+                name=name,
+                offers=offers,
+            )
     return write
-
-
-def check_target(path):
-    """ValueError, with the cure, where no file can be written at ``path``."""
-    if path.is_dir():
-        raise ValueError(f"{path} is a folder: add a file name to it.")
-    if not path.parent.is_dir():
-        raise ValueError(f"There is no folder {path.parent}: make it, or choose another one.")
-    if not os.access(path.parent, os.W_OK | os.X_OK):
-        raise ValueError(f"The folder {path.parent} cannot be written: choose another one.")
-
-
-def refuse_to_write(path, error):
-    """ValueError, one sentence with the cure, for an `OSError` while ``path`` was written."""
-    cure = "free some space there" if error.errno == errno.ENOSPC else "choose another folder"
-    raise ValueError(
-        f"{path.name} was not written to {path.parent} ({error.strerror or error}): {cure}."
-    ) from error
-
-
-def _write_whole(write, bodies, path, options):
-    folder = Path(tempfile.mkdtemp(prefix=".writing-", dir=path.parent))
-    try:
-        unfinished = folder / path.name
-        write(bodies, unfinished, **options)
-        if not unfinished.is_file() or not unfinished.stat().st_size:
-            raise OSError("nothing was written")
-        os.replace(unfinished, path)
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)

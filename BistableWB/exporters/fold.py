@@ -8,29 +8,44 @@ Millimetres, degrees. Own keys carry the prefix ``bistable:``; `imports.fold` re
 """
 
 import json
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import __version__
 from ..origami import rigid
-from ..origami.creases import layer_of
-from ..origami.nets import overlap
-from ..origami.skin import skin_of
+from ..origami.errors import Refusal
+from ..origami.patterns.nets import overlap
+from ..origami.patterns.surface import surface_of
+from ..origami.units.creases import layer_of
 from .thin import thin_models
+
+if TYPE_CHECKING:
+    from ..origami.units.tube import Tube
 
 _UNFOLDED = 1e-6  # degrees
 _PLANAR = 1e-6  # mm
 
 
-def write(bodies, path, deployment_frames=None, author="", title=""):
+def write(
+    bodies: Sequence[Any],
+    path: Path,
+    deployment_frames: int | None = None,
+    author: str = "",
+    title: str = "",
+) -> None:
     """Write the tubes of ``bodies``.
 
     ``deployment_frames``: number of states between flat and deployed for a series of frames that
     also holds both ends (default: no series); ``author`` and ``title`` go into the file.
     """
     if deployment_frames is not None and not 0 <= int(deployment_frames) <= 10_000:
-        raise ValueError(
-            f"deployment_frames is {deployment_frames}: give a number of states from 0 to 10000."
+        raise Refusal(
+            "deployment_frames is {deployment_frames}: give a number of states from 0 to 10000.",
+            deployment_frames=deployment_frames,
         )
     parts = [_Part(*model) for model in thin_models(bodies)]
     names = ", ".join(part.name for part in parts)
@@ -53,45 +68,47 @@ def write(bodies, path, deployment_frames=None, author="", title=""):
 
 
 class _Part:
-    """One tube of the file, its skin, and where its numbers start."""
+    """One tube of the file, its surface, and where its numbers start."""
 
-    def __init__(self, name, tube, frame):
+    def __init__(self, name: str, tube: "Tube", frame: NDArray) -> None:
         self.name, self.tube, self.frame = name, tube, frame
-        self.skin = skin_of(tube)
+        self.surface = surface_of(tube)
         self.deployed = self.points(1.0)
 
-    def points(self, opening):
-        return rigid.apply(self.frame, self.skin.points(self.tube.state(opening)))
+    def points(self, opening: float) -> NDArray:
+        return rigid.apply(self.frame, self.surface.points(self.tube.state(opening)))
 
-    def flat(self):
+    def flat(self) -> NDArray:
         """Flat vertices in the plane of the print: x along A-B, z up the stack."""
         points = self.points(0.0)
         side = "left" if self.tube.incoming_left[0] else "right"
-        first = self.skin.panels.index((0, f"contact_{side}"))
-        down = self.skin.normals(points)[first]
-        a, b = (self.skin.corners[0, v] for v in (2 if side == "left" else 4, 0))
+        first = self.surface.panels.index((0, f"contact_{side}"))
+        down = self.surface.normals(points)[first]
+        a, b = (self.surface.corners[0, v] for v in (2 if side == "left" else 4, 0))
         along = points[b] - points[a]
         along /= np.linalg.norm(along)
         axes = np.stack([along, np.cross(-down, along), -down])
         return (points - points[a]) @ axes.T
 
-    def assigned(self, points):
+    def assigned(self, points: NDArray) -> tuple[list[float], list[str]]:
         """Fold angles in degrees and the assignments that go with them."""
-        angles = np.degrees(self.skin.fold_angles(points, self.deployed))
+        angles = np.degrees(self.surface.fold_angles(points, self.deployed))
         angles[np.abs(angles) < _UNFOLDED] = 0.0
         return angles.tolist(), ["FVM"[int(np.sign(a))] for a in angles]
 
-    def ranks(self):
+    def ranks(self) -> list[float]:
         """Place of every face in the stack of the flat state, from below."""
         found = []
-        for (k, panel), shared in zip(self.skin.panels, self.skin.shared, strict=True):
+        for (k, panel), shared in zip(self.surface.panels, self.surface.shared, strict=True):
             layer = layer_of(panel)
             up = layer if self.tube.incoming_left[k] else 5 - layer
             found.append(4 * k + up + (0.5 if shared else 0.0))
         return found
 
 
-def _joined(parts, rows_of, offset_of=None):
+def _joined(
+    parts: Sequence[_Part], rows_of: Callable[..., Any], offset_of: Callable[..., Any] | None = None
+) -> list[list[int]]:
     """Rows of all parts; their numbers moved on by the ``offset_of`` earlier parts."""
     rows, start = [], 0
     for part in parts:
@@ -101,20 +118,20 @@ def _joined(parts, rows_of, offset_of=None):
     return rows
 
 
-def _vertex_count(part):
+def _vertex_count(part: _Part) -> int:
     return len(part.deployed)
 
 
-def _face_count(part):
-    return len(part.skin.faces)
+def _face_count(part: _Part) -> int:
+    return len(part.surface.faces)
 
 
-def _edge_count(part):
-    return len(part.skin.edges)
+def _edge_count(part: _Part) -> int:
+    return len(part.surface.edges)
 
 
-def _key_frame(parts):
-    manifold = all(part.skin.is_manifold for part in parts)
+def _key_frame(parts: Sequence[_Part]) -> dict[str, Any]:
+    manifold = all(part.surface.is_manifold for part in parts)
     return {
         "frame_title": "deployed",
         "frame_classes": ["foldedForm"],
@@ -125,22 +142,22 @@ def _key_frame(parts):
         "frame_unit": "mm",
         "frame_bistable:opening": 1.0,
         "vertices_coords": _coordinates(part.deployed for part in parts),
-        "edges_vertices": _joined(parts, lambda p: p.skin.edges, _vertex_count),
+        "edges_vertices": _joined(parts, lambda p: p.surface.edges, _vertex_count),
         "edges_faces": _joined(parts, _faces_around, _face_count),
         **_folds(parts, [part.deployed for part in parts]),
         "edges_length": [x for part in parts for x in _lengths(part)],
-        "faces_vertices": _joined(parts, lambda p: p.skin.faces, _vertex_count),
+        "faces_vertices": _joined(parts, lambda p: p.surface.faces, _vertex_count),
         "faces_edges": _joined(parts, _edges_round, _edge_count),
         "faces_bistable:panel": [
             " = ".join(f"unit {k + 1} {name}" for k, name in filter(None, both))
             for part in parts
-            for both in zip(part.skin.panels, part.skin.shared, strict=True)
+            for both in zip(part.surface.panels, part.surface.shared, strict=True)
         ],
         "bistable:units": _units(parts),
     }  # fmt: skip
 
 
-def _folds(parts, points):
+def _folds(parts: Sequence[_Part], points: Sequence[NDArray]) -> dict[str, list[Any]]:
     found = [part.assigned(p) for part, p in zip(parts, points, strict=True)]
     return {
         "edges_assignment": [a for _, assigned in found for a in assigned],
@@ -148,13 +165,13 @@ def _folds(parts, points):
     }
 
 
-def _flat_frame(parts):
+def _flat_frame(parts: Sequence[_Part]) -> dict[str, Any]:
     points = [part.flat() for part in parts]
     planar = max(np.abs(p[:, 2]).max() for p in points) < _PLANAR
     if planar:
         for p in points:
             p[:, 2] = 0.0
-    manifold = all(part.skin.is_manifold for part in parts)
+    manifold = all(part.surface.is_manifold for part in parts)
     return {
         "frame_parent": 0,
         "frame_inherit": True,
@@ -172,7 +189,7 @@ def _flat_frame(parts):
     }  # fmt: skip
 
 
-def _series_frame(parts, opening):
+def _series_frame(parts: Sequence[_Part], opening: float) -> dict[str, Any]:
     points = [part.points(opening) for part in parts]
     return {
         "frame_parent": 0,
@@ -186,20 +203,20 @@ def _series_frame(parts, opening):
     }
 
 
-def _coordinates(points):
+def _coordinates(points: Iterator[Any] | Sequence[NDArray]) -> list[list[float]]:
     return [(p + 0.0).tolist() for part in points for p in part]
 
 
-def _lengths(part):
-    a, b = part.deployed[part.skin.edges.T]
+def _lengths(part: _Part) -> list[float]:
+    a, b = part.deployed[part.surface.edges.T]
     return np.linalg.norm(b - a, axis=1).tolist()
 
 
-def _faces_around(part):
+def _faces_around(part: _Part) -> Iterator[NDArray | list[int]]:
     """Faces at every edge: left and right, or all of them anticlockwise about the edge."""
-    skin, points = part.skin, part.deployed
-    middles = np.array([points[list(face)].mean(0) for face in skin.faces])
-    for (a, b), sides, walls in zip(skin.edges, skin.sides, skin.walls, strict=True):
+    surface, points = part.surface, part.deployed
+    middles = np.array([points[list(face)].mean(0) for face in surface.faces])
+    for (a, b), sides, walls in zip(surface.edges, surface.sides, surface.walls, strict=True):
         if not walls:
             yield sides
             continue
@@ -211,21 +228,21 @@ def _faces_around(part):
         yield [around[i] for i in np.argsort(turns % (2 * np.pi))]
 
 
-def _edges_round(part):
+def _edges_round(part: _Part) -> Iterator[list[int]]:
     """Edges of every face, the first from its first to its second corner."""
-    number = {frozenset(edge): i for i, edge in enumerate(part.skin.edges.tolist())}
-    for face in part.skin.faces:
+    number = {frozenset(edge): i for i, edge in enumerate(part.surface.edges.tolist())}
+    for face in part.surface.faces:
         following = (*face[1:], face[0])
         yield [number[frozenset(pair)] for pair in zip(face, following, strict=True)]
 
 
-def _face_orders(parts, points):
+def _face_orders(parts: Sequence[_Part], points: Sequence[NDArray]) -> list[list[int]]:
     """[f, g, s] of all pairs of faces of a unit or of neighbouring units that overlap when flat."""
     orders, start = [], 0
     for part, flat in zip(parts, points, strict=True):
-        polygons = [flat[list(face)] @ [1, 1j, 0] for face in part.skin.faces]
-        upwards = part.skin.normals(flat)[:, 2] > 0
-        ranks, units = part.ranks(), [k for k, _ in part.skin.panels]
+        polygons = [flat[list(face)] @ [1, 1j, 0] for face in part.surface.faces]
+        upwards = part.surface.normals(flat)[:, 2] > 0
+        ranks, units = part.ranks(), [k for k, _ in part.surface.panels]
         for f, polygon in enumerate(polygons):
             for g in range(f):
                 if units[f] - units[g] <= 1 and overlap(polygon, polygons[g]):
@@ -235,14 +252,14 @@ def _face_orders(parts, points):
     return orders
 
 
-def _units(parts):
+def _units(parts: Sequence[_Part]) -> list[dict[str, Any]]:
     """What `imports.fold` reads: one entry a unit."""
     entries, start = [], 0
     for part in parts:
         unit = part.tube.unit
         omega = np.pi / 2 if unit.omega is None else unit.omega
         omegas = np.broadcast_to(np.degrees(omega), len(unit))
-        for k, corners in enumerate(part.skin.corners):
+        for k, corners in enumerate(part.surface.corners):
             entries.append(
                 {
                     "object": part.name,
@@ -259,7 +276,7 @@ def _units(parts):
     return entries
 
 
-def _text(value, indent=""):
+def _text(value: Any, indent: str = "") -> str:
     """JSON with one key, and one row of a table, a line."""
     inner = indent + " "
     if isinstance(value, dict) and any(map(_is_table, value.values())):
@@ -270,5 +287,5 @@ def _text(value, indent=""):
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
-def _is_table(value):
+def _is_table(value: Any) -> Any:
     return isinstance(value, list) and value and isinstance(value[0], list | dict)

@@ -18,8 +18,10 @@ explode = 0;
 sides = 24;
 
 /* [Design] */
-// Plates, barrels, cones and gaps follow these numbers. Where hinges begin and end was laid out for
-// the values below: small changes (some tenths) are safe here, larger ones belong into FreeCAD.
+// Ends with joints, plates or flanges and ties are drawn as they are: they follow no number.
+// Stand-offs keep their heights. Plates, barrels, cones and gaps follow these numbers. Where hinges
+// begin and end was laid out for the values below: small changes (some tenths) are safe here,
+// larger ones belong into FreeCAD.
 face_thickness = {face_thickness};
 gap_between_planes = {gap_between_planes};
 gap_length = {gap_length};
@@ -68,7 +70,8 @@ module part(number, name, kind, layer) {{
 }}
 
 // Knuckle: [start, end (on the axis, with half a gap at both ends), height of the axis in pitches,
-// depth from the axis into the panel (positive to the left), index, number of knuckles, cones]
+// depth from the axis into the panel (positive to the left), index, number of knuckles, cones,
+// width and height of a stand-off on top of the barrel (or neither)]
 function direction(k) = (k[1] - k[0]) / norm(k[1] - k[0]);
 function length_of(k) = norm(k[1] - k[0]) - gap_length;
 function has_start(k) = k[4] > 0;
@@ -97,6 +100,8 @@ module barrel(k) {{
       [[radius, 0], [radius, h]],
       has_end(k) ? [[cone_base, h], [tip, h + k[6]], [0, h + k[6]]] : [[0, h]]);
   on_axis(k) rotate_extrude($fn = sides) polygon([for (p = profile) [fit * p[0], p[1]]]);
+  if (len(k) > 7) on_axis(k) linear_extrude(h)
+    translate([-radius - k[8], -k[7] / 2]) square([radius + k[8] - wall, k[7]]);
 }}
 
 // The part of a panel's tab below (up = -1) or above (up = 1) its barrel, within the round.
@@ -119,8 +124,9 @@ module tab(k) {{
   polygon([a + near, b + near, b + far, a + far]);
 }}
 
-// A panel with its knuckles; `core` is its outline, cut back from the axes along its edges.
-module plate(layer, core, knuckles) {{
+// A panel with its knuckles; `core` is its outline, cut back from the axes along its edges; ribs:
+// stand-offs on its upper face, [outline, height].
+module plate(layer, core, knuckles, ribs = []) {{
   translate([0, 0, layer * pitch - face_thickness / 2]) linear_extrude(face_thickness) {{
     offset(delta = -spread) polygon(core);
     for (k = knuckles) tab(k);
@@ -129,6 +135,8 @@ module plate(layer, core, knuckles) {{
     barrel(k);
     foot(k, k[2] > layer ? -1 : 1);
   }}
+  for (rib = ribs) translate([0, 0, layer * pitch + face_thickness / 2 - eps])
+    linear_extrude(rib[1] + eps) polygon(rib[0]);
 }}
 
 // The block between two units: their contact panels (children) and what fills the gap between.

@@ -3,16 +3,22 @@
 
 import re
 import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import FreeCAD as App
 import Import
 
 from .. import __version__
 
+if TYPE_CHECKING:
+    from .bodies import Body
+
 _FILE_NAME = re.compile(rb"FILE_NAME\(.*?\);", re.DOTALL)
 
 
-def write(bodies, path):
+def write(bodies: "Sequence[Body]", path: Path) -> None:
     """Write ``bodies`` with their names."""
     before = App.ActiveDocument
     doc = App.newDocument("StepExport", hidden=True, temp=True)
@@ -34,7 +40,7 @@ def write(bodies, path):
     path.write_bytes(_named(content, path.name))
 
 
-def _named(content, name):
+def _named(content: bytes, name: str) -> bytes:
     """The file with its own name in the header, not that of the temporary one it was written to."""
     plain = name.encode("ascii", "replace").replace(b"'", b"''").decode()
     now = time.strftime("%Y-%m-%dT%H:%M:%S")

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the formats of zero thickness write: the tubes of the chosen objects."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..objects.base import global_placement
-from ..objects.bistable_unit import tube_of
-from ..origami.tube import Tube
+from ..origami.errors import Refusal
+from ..origami.units.tube import Tube
+
+if TYPE_CHECKING:
+    import FreeCAD as App
 
 
 class ThinModel(NamedTuple):
@@ -18,29 +21,38 @@ class ThinModel(NamedTuple):
     frame: np.ndarray
 
 
-def thin_models(bodies):
+def thin_models(bodies: Sequence[Any]) -> list[ThinModel]:
     """`ThinModel` of every object that ``bodies`` come from, each once, in their order.
 
-    A HingeSet stands for its unit. ValueError for an object that has no panels of zero thickness.
+    What is a `ThinModel` already, made without FreeCAD, stays one. A HingeSet stands for its unit.
+    ValueError for an object that has no panels of zero thickness.
     """
+    if all(isinstance(body, ThinModel) for body in bodies):
+        return list(bodies)
+    from ..objects.base import global_placement
+    from ..objects.bistable_unit import tube_of
+    from ..solids.matrices import array_of
+
     found = {}
     for body in bodies:
-        unit = _unit_of(body.source)
+        unit = unit_of(body.source)
         if unit.Name not in found:
             frame = np.eye(4)
             if unit.Triangles is None:
-                frame = np.array(global_placement(unit).toMatrix().A).reshape(4, 4)
+                frame = array_of(global_placement(unit))
             found[unit.Name] = ThinModel(unit.Label, tube_of(unit), frame)
     return list(found.values())
 
 
-def _unit_of(obj):
+def unit_of(obj: "App.DocumentObject") -> "App.DocumentObject":
+    """The BistableUnit that an object is, or that a HingeSet is made on."""
     kind = getattr(getattr(obj, "Proxy", None), "Type", obj.TypeId)
     unit = obj.Unit if kind == "Bistable::HingeSet" else obj
     kind = getattr(getattr(unit, "Proxy", None), "Type", unit.TypeId)
     if kind != "Bistable::BistableUnit":
-        raise ValueError(
-            f"{obj.Label} has no panels of zero thickness to write: choose a BistableUnit, or a "
-            "HingeSet on one."
+        raise Refusal(
+            "{label} has no panels of zero thickness to write: choose a BistableUnit, or a "
+            "HingeSet on one.",
+            label=obj.Label,
         )
     return unit

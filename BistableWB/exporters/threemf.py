@@ -1,30 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""3MF: one named object a body, coloured by panel kind, together one part to print; millimetres.
+"""3MF: one object with a named, coloured part for every body; millimetres.
 
-The bodies are components of one assembly. Bodies of the same shape share its triangles. Prints of
-several materials are one object instead, whose parts PrusaSlicer gives an extruder each: it reads
-materials from a file of its own only (``hinges.md`` 7), and pulls assemblies apart when it is run
-without a window. The same bodies give the same bytes.
+PrusaSlicer reads names and extruders of the parts from a file of its own; any slicer sees one
+object, which nothing pulls apart on the bed. An assembly has an object a body instead, of which
+those of the same shape share its triangles; PrusaSlicer 2.5 without a window lays its bodies out
+one by one. The same bodies give the same bytes.
 """
 
 import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import __version__, colours
-from ..solids.mesh import joined, unpaired_edges
-from ..solids.tessellation import ANGULAR_DEFLECTION, LINEAR_DEFLECTION, shared
+from ..origami.errors import Refusal
+from ..origami.meshes import Mesh, joined, unpaired_edges
+from .meshes import ANGULAR_DEFLECTION, LINEAR_DEFLECTION, Mesher
 
-# Kinds of bodies, each a base material; a body is of the first kind that its name contains.
-KINDS = {
-    "support": colours.FAINT,
-    "strip": colours.CURVE,
-    "block": colours.PANELS["contact"],
-    "link": colours.MUTED,
-    **colours.PANELS,
-    "other": colours.MUTED,
-}
+_OTHER = "other"  # what is none of our kinds of bodies
+_LOOKS = {**colours.KINDS, _OTHER: colours.of("")}  # base materials
 _CONTENT_TYPES = """<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
 <Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
@@ -39,59 +37,70 @@ Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 """
 _MATERIALS, _FIRST_OBJECT = 1, 2  # resource numbers
 _SLICER_FILE = "Metadata/Slic3r_PE_model.config"
-_OTHER_MATERIALS = "strip", "support"  # kinds that are not printed in what panels are made of
+_OTHER_MATERIALS = "flexure", "support"  # kinds that are not printed in what panels are made of
+
+
+class Part(NamedTuple):
+    """A body to write: its `Mesh`, which others may share, and the matrix (4, 4) that places it."""
+
+    name: str
+    kind: str
+    mesh: Mesh
+    matrix: np.ndarray
 
 
 def write(
-    bodies,
-    path,
-    linear_deflection=LINEAR_DEFLECTION,
-    angular_deflection=ANGULAR_DEFLECTION,
-    one_object=None,
-):
+    bodies: Sequence[Any],
+    path: Path,
+    linear_deflection: float = LINEAR_DEFLECTION,
+    angular_deflection: float = ANGULAR_DEFLECTION,
+    one_object: bool = True,
+    assembly: bool = False,
+) -> None:
     """Write ``bodies``. Curved faces become triangles within the deflections (mm, radians).
 
-    ``one_object``: True for one object whose parts have names and extruders for PrusaSlicer; False
-    for an assembly; None: what the materials need.
+    ``assembly``: an object a body, components of one, instead of one object with parts; so does
+    ``one_object=False``, which macros of 0.1.0 say.
     """
-    tessellator = shared(linear_deflection, angular_deflection)
-    parts = [(body.name, *tessellator.original(body.shape)) for body in bodies]
-    for name, mesh, _ in parts:
+    tessellator = Mesher(linear_deflection, angular_deflection)
+    parts = [Part(b.name, b.kind or _OTHER, *tessellator.original(b.shape)) for b in bodies]
+    for name, _, mesh, _ in parts:
         if not len(mesh.triangles) or len(unpaired_edges(mesh.triangles)):
-            raise ValueError(
-                f"{name} is not a closed solid, which 3MF needs: choose the hinged solids, or "
-                "export to STL, OBJ or STEP."
+            raise Refusal(
+                "{name} is not a closed solid, which 3MF needs: choose the hinged solids, or "
+                "export to STL, OBJ or STEP.",
+                name=name,
             )
-    extruders = extruders_for([name for name, _, _ in parts])
-    if max(extruders) > 1 if one_object is None else one_object:
-        write_one(parts, extruders, path, title=path.stem)
-    else:
+    extruders = extruders_for([part.kind for part in parts])
+    if assembly or one_object is False:
         write_parts(parts, path, title=path.stem)
+    else:
+        write_one(parts, extruders, path, title=path.stem)
 
 
-def extruders_for(names):
-    """Number of the extruder, from 1, of each body: panels first, then each other material."""
-    kinds = [kind_of(name) for name in names]
+def extruders_for(kinds: Sequence[str]) -> list[int]:
+    """Number of the extruder, from 1, of bodies by kind: panels first, then other materials."""
     others = [kind for kind in _OTHER_MATERIALS if kind in kinds]
     return [2 + others.index(kind) if kind in others else 1 for kind in kinds]
 
 
-def write_parts(parts, path, title):
-    """Write (name, `Mesh`, matrix (4, 4) that places it) tuples; a mesh may occur several times."""
+def write_parts(parts: Sequence[Part], path: Path, title: str) -> None:
+    """Write `Part` tuples as an assembly; a mesh may occur several times."""
     _pack(path, {"3D/3dmodel.model": _model(title, _assembly(parts, title))})
 
 
-def write_one(parts, extruders, path, title):
+def write_one(parts: Sequence[Part], extruders: Sequence[int], path: Path, title: str) -> None:
     """Write parts as for `write_parts` as one object, each printed by its extruder."""
-    named = [name for name, _, _ in parts]
-    meshes = [mesh.moved(matrix) for _, mesh, matrix in parts]
+    named = [part.name for part in parts]
+    meshes = [part.mesh.moved(part.matrix) for part in parts]
     counts = [len(mesh.triangles) for mesh in meshes]
-    model = _model(title, _one_object(named, meshes, counts, title))
+    looks = np.repeat([list(_LOOKS).index(part.kind) for part in parts], counts)
+    model = _model(title, _one_object(meshes, looks, title))
     slicer = _slicer_file(named, counts, extruders, title)
     _pack(path, {"3D/3dmodel.model": model, _SLICER_FILE: [slicer]})
 
 
-def _pack(path, files):
+def _pack(path: Path, files: Mapping[str, Any]) -> None:
     """Write a package of files {name: pieces of text}."""
     files = {"[Content_Types].xml": [_CONTENT_TYPES], "_rels/.rels": [_RELATIONS], **files}
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as package:
@@ -104,12 +113,7 @@ def _pack(path, files):
                     file.write(piece.encode())
 
 
-def kind_of(name):
-    """Kind of a body, a key of `KINDS`, from its name."""
-    return next((kind for kind in KINDS if kind in name.lower()), "other")
-
-
-def _model(title, objects):
+def _model(title: str, objects: Iterator[Any]) -> Iterator[str]:
     """The model file piece by piece, about ``objects``, its resources and what is built."""
     yield (
         '<?xml version="1.0" encoding="UTF-8"?>\n<model unit="millimeter" xml:lang="en-US" '
@@ -118,23 +122,24 @@ def _model(title, objects):
         f'<metadata name="Application">Bistable Workbench {__version__}</metadata>\n'
         f'<resources>\n<basematerials id="{_MATERIALS}">\n'
     )
-    for kind, colour in KINDS.items():
+    for kind, colour in _LOOKS.items():
         yield f'<base name="{kind}" displaycolor="{colour}FF"/>\n'
     yield "</basematerials>\n"
     yield from objects
     yield "</build>\n</model>\n"
 
 
-def _one_object(named, meshes, counts, title):
+def _one_object(meshes: Sequence[Mesh], looks: NDArray, title: str) -> Iterator[str]:
     """One mesh of all bodies; every triangle bears the look of its body."""
-    looks = np.repeat([list(KINDS).index(kind_of(name)) for name in named], counts)
-    look = f'type="model" pid="{_MATERIALS}" pindex="0"'
+    look = f'type="model" pid="{_MATERIALS}" pindex="{looks[0]}"'
     yield f'<object id="{_FIRST_OBJECT}" name={quoteattr(title)} {look}>\n'
     yield from _mesh(joined(meshes), looks)
     yield f'</object>\n</resources>\n<build>\n<item objectid="{_FIRST_OBJECT}"/>\n'
 
 
-def _slicer_file(named, counts, extruders, title):
+def _slicer_file(
+    named: Sequence[str], counts: Sequence[int], extruders: Sequence[int], title: str
+) -> str:
     """What PrusaSlicer wants to know of the object: which triangles are which part."""
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<config>"]
     lines.append(f' <object id="{_FIRST_OBJECT}" instances_count="1">')
@@ -150,15 +155,14 @@ def _slicer_file(named, counts, extruders, title):
     return "\n".join([*lines, " </object>", "</config>", ""])
 
 
-def _assembly(parts, title):
+def _assembly(parts: Sequence[Part], title: str) -> Iterator[str]:
     """One object a body, as components of one."""
     number, placed, shared = _FIRST_OBJECT, [], {}
-    uses = {}
-    for _, mesh, matrix in parts:
+    uses: dict[Any, Any] = {}
+    for _, _, mesh, matrix in parts:
         uses.setdefault(id(mesh), []).append(_is_motion(matrix))
-    for name, mesh, matrix in parts:
-        kind = kind_of(name)
-        look = f'type="model" pid="{_MATERIALS}" pindex="{list(KINDS).index(kind)}"'
+    for name, kind, mesh, matrix in parts:
+        look = f'type="model" pid="{_MATERIALS}" pindex="{list(_LOOKS).index(kind)}"'
         named = f"name={quoteattr(name)}"
         if sum(uses[id(mesh)]) < 2 or not _is_motion(matrix):
             yield f'<object id="{number}" {named} {look}>\n'
@@ -181,7 +185,7 @@ def _assembly(parts, title):
     yield f'</components>\n</object>\n</resources>\n<build>\n<item objectid="{number}"/>\n'
 
 
-def _mesh(mesh, looks=None):
+def _mesh(mesh: Mesh, looks: NDArray | None = None) -> Iterator[str]:
     """Vertices and triangles; ``looks`` (t,): the material of each, if they differ."""
     vertices, triangles = mesh.vertices, mesh.triangles
     rounded = np.round(vertices, 5) + 0.0
@@ -196,15 +200,15 @@ def _mesh(mesh, looks=None):
     yield "</triangles>\n</mesh>\n"
 
 
-def _component(number, matrix):
+def _component(number: int, matrix: NDArray) -> str:
     rows = np.asarray(matrix)[:3].T.ravel().tolist()
     return f'<component objectid="{number}" transform="{" ".join(f"{x:.9g}" for x in rows)}"/>\n'
 
 
-def _is_motion(matrix):
+def _is_motion(matrix: NDArray) -> bool:
     """A mirror image is written out: not every program turns its triangles round."""
     return np.linalg.det(np.asarray(matrix)[:3, :3]) > 0
 
 
-def _text(title):
+def _text(title: str) -> str:
     return quoteattr(title)[1:-1]

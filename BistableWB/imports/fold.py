@@ -12,14 +12,18 @@ import FreeCAD as App
 import numpy as np
 
 from .. import make
-from ..origami import rigid, tube
-from ..origami.angles import exact_sphere_ratio
-from ..origami.ratios import RatioRule
+from ..origami import rigid
+from ..origami.errors import Refusal
+from ..origami.units import tube
+from ..origami.units.angles import exact_sphere_ratio
+from ..origami.units.ratios import RatioRule
+from ..solids.matrices import placement_of
 from .text import file_at, text_of
 
 _KEY = "bistable:units"
 _SAME = 1e-8  # of ‖AB‖
 _RATIO = 1e-9
+_LEAST, _MOST = 1e-6, 1e8  # mm: lengths and places of what somebody has drawn
 
 
 class SingleUnit(NamedTuple):
@@ -52,7 +56,7 @@ def import_fold(doc, path, unit=None):
     )
     obj.Omega = read.omega
     obj.RatioRule = read.rule
-    obj.Placement = App.Placement(App.Matrix(*read.place.ravel().tolist()))
+    obj.Placement = placement_of(read.place)
     return obj
 
 
@@ -85,13 +89,19 @@ def read_unit(path, unit=None):
         rows = [range(len(content["vertices_coords"]))[int(i)] for i in entry["vertices"]]
         values = [float(entry[k]) for k in _NUMBERS]
         points = np.array(content["vertices_coords"], float)[rows]
-    except (KeyError, TypeError, ValueError, IndexError) as error:
-        raise ValueError(
-            f"{path.name}: unit {number} in {_KEY} is broken ({error}): export the file again."
+    except (KeyError, TypeError, ValueError, IndexError, OverflowError) as error:
+        raise Refusal(
+            "{name}: unit {number} in {key} is broken ({error}): export the file again.",
+            name=path.name,
+            number=number,
+            key=_KEY,
+            error=error,
         ) from error
-    if points.shape != (10, 3) or not np.isfinite(points).all():
-        raise ValueError(
-            f"{path.name}: unit {number} has no ten corners in space: export it again."
+    if points.shape != (10, 3) or not (np.abs(points) <= _MOST).all():
+        raise Refusal(
+            "{name}: unit {number} has no ten corners in space: export it again.",
+            name=path.name,
+            number=number,
         )
     return _checked(values, points, path, number)
 
@@ -102,17 +112,24 @@ _NUMBERS = ("theta", "ratio", "omega", "edge_length", "strip_height")
 def _content(path):
     try:
         content = json.loads(text_of(path, "FOLD"))
-    except json.JSONDecodeError as error:
-        raise ValueError(
-            f"{path.name} is not a whole FOLD file ({error}): save it again."
+    except (json.JSONDecodeError, RecursionError) as error:
+        raise Refusal(
+            "{name} is not a whole FOLD file ({error}): save it again.",
+            name=path.name,
+            error=error,
         ) from error
     if not isinstance(content, dict) or not any(key.startswith("file_") for key in content):
-        raise ValueError(f"{path.name} is not a FOLD file: choose a file that is.")
+        raise Refusal(
+            "{name} is not a FOLD file: choose a file that is.",
+            name=path.name,
+        )
     if not isinstance(content.get(_KEY), list) or not content[_KEY]:
         creator = content.get("file_creator") or "another program"
-        raise ValueError(
-            f"{path.name} was made by {creator}: only FOLD files exported by Bistable Workbench "
-            "hold the units that can be read back."
+        raise Refusal(
+            "{name} was made by {creator}: only FOLD files exported by Bistable Workbench hold "
+            "the units that can be read back.",
+            name=path.name,
+            creator=creator,
         )
     return content
 
@@ -120,17 +137,30 @@ def _content(path):
 def _entry(content, unit, path):
     entries = content[_KEY]
     if unit is None and len(entries) > 1:
-        raise ValueError(f"{path.name} holds {len(entries)} units: say which, 1 to {len(entries)}.")
+        raise Refusal(
+            "{name} holds {count} units: say which, 1 to {count}.",
+            name=path.name,
+            count=len(entries),
+        )
     number = 1 if unit is None else int(unit)
     if not 1 <= number <= len(entries):
-        raise ValueError(f"{path.name} has no unit {number}: choose 1 to {len(entries)}.")
+        raise Refusal(
+            "{name} has no unit {number}: choose 1 to {count}.",
+            name=path.name,
+            number=number,
+            count=len(entries),
+        )
     return entries[number - 1], number
 
 
 def _checked(values, points, path, number):
     theta, ratio, omega, edge, height = values
-    if not (edge > 0 and height > 0 and all(map(math.isfinite, values))):
-        raise ValueError(f"{path.name}: unit {number} has lengths of 0 or less: export it again.")
+    if not (_LEAST <= edge <= _MOST and _LEAST <= height <= _MOST and np.isfinite(values).all()):
+        raise Refusal(
+            "{name}: unit {number} has lengths that no unit has: export it again.",
+            name=path.name,
+            number=number,
+        )
     rule = _rule(theta, ratio, omega)
     family = "Plane" if omega == 90 else "Sphere"
     if rule:
@@ -146,9 +176,11 @@ def _checked(values, points, path, number):
         off = np.abs(rigid.apply(place, made.deployed[0]) - points).max()
         if off <= _SAME * edge:
             return SingleUnit(theta, ratio, omega, edge, height, rule, place)
-    raise ValueError(
-        f"{path.name}: unit {number} is not the symmetric unit of its angles (it is one of a "
-        "general curve, or the file was changed): only plane and spherical units can be read back."
+    raise Refusal(
+        "{name}: unit {number} is not the symmetric unit of its angles (it is one of a general "
+        "curve, or the file was changed): only plane and spherical units can be read back.",
+        name=path.name,
+        number=number,
     )
 
 

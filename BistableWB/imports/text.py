@@ -1,104 +1,62 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading files, and points out of text tables."""
+"""Reading files, and text in whatever encoding a program wrote it."""
 
-import csv
-import math
+import codecs
 from pathlib import Path
 
-_LARGEST = 1e6  # mm: a coordinate beyond this is no length in millimetres
-_AXES = ("x", "y", "z")
+from ..origami.errors import Refusal
+
+_BOMS = (
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+_CONTROLS = {chr(k) for k in range(32)} - set("\t\n\r\f\v\x1a")
 
 
-def file_at(path):
-    """``path`` as a Path; ValueError where there is no such file."""
+def file_at(path) -> Path:
+    """``path`` as a Path; `Refusal` where there is no such file."""
     path = Path(path)
     if not path.is_file():
-        raise ValueError(f"There is no file {path}: check its name and folder.")
+        raise Refusal("There is no file {path}", path=str(path), cure="check its name and folder")
     return path
 
 
-def text_of(path, kind):
-    """Content of a text file; ValueError where it cannot be read or is no text."""
+def content_of(path: Path) -> bytes:
+    """Bytes of a file; `Refusal` where it cannot be read."""
     try:
-        return file_at(path).read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{path.name} is not a text file: choose a {kind} file.") from error
+        return file_at(path).read_bytes()
     except OSError as error:
-        raise ValueError(f"{path.name} cannot be read ({error.strerror}): check it.") from error
+        raise Refusal("{name} cannot be read ({error})", name=path.name, error=error.strerror,
+                      cure="check it") from error  # fmt: skip
 
 
-def table_points(path):
-    """Points [(x, y, z)] of a CSV table, one a row; two columns lie in the plane z = 0.
-
-    Commas, semicolons (then decimal commas are allowed), tabs or blanks between columns; lines that
-    begin with # are skipped. A first row of names is allowed: columns x, y, z are then found by
-    their names, in any order, others are left out.
-    """
-    path = file_at(path)
-    lines = text_of(path, "CSV").splitlines()
-    rows = [(i, line) for i, line in enumerate(lines, 1) if line.strip(" \t;,")]
-    rows = [(i, line) for i, line in rows if not line.lstrip().startswith("#")]
-    split = _splitter(rows[0][1]) if rows else None
-    cells = [(i, split(line)) for i, line in rows]
-    columns = None
-    if cells and _is_header(cells[0][1]):
-        columns = _named_columns(cells.pop(0)[1], path)
-    points = [_point(row, columns, i, path) for i, row in cells]
-    points = [p for k, p in enumerate(points) if k == 0 or p != points[k - 1]]
-    if len(points) < 2:
-        raise ValueError(
-            f"{path.name} has {len(points)} different points: give one point a row, x, y and "
-            "perhaps z in mm, two rows or more."
-        )
-    return points
-
-
-def _splitter(line):
-    if ";" in line:
-        return lambda text: [c.strip().replace(",", ".") for c in text.split(";")]
-    if "," in line:
-        return lambda text: [c.strip() for c in next(csv.reader([text]))]
-    return str.split
-
-
-def _is_header(cells):
-    return not any(_number(cell) is not None for cell in cells if cell)
-
-
-def _named_columns(cells, path):
-    names = [cell.strip("\"' ").lower() for cell in cells]
-    plain = [name.split("(")[0].split("[")[0].split("/")[0].strip() for name in names]
-    if not {"x", "y"} <= set(plain):
-        return None
-    for axis in _AXES:
-        unit = next((n for n, p in zip(names, plain, strict=True) if p == axis), "")
-        if any(other in unit for other in ("(m)", "[m]", "(cm)", "[cm]", "(in)", "[in]")):
-            raise ValueError(f"{path.name} is not in mm (column {unit!r}): convert it to mm first.")
-    return [plain.index(axis) for axis in _AXES if axis in plain]
-
-
-def _point(row, columns, line, path):
-    while row and not row[-1]:
-        row = row[:-1]
-    if columns is not None:
-        row = [row[c] if c < len(row) else "" for c in columns]
-    if len(row) not in (2, 3):
-        raise ValueError(
-            f"{path.name}, line {line}: {len(row)} columns; give x, y or x, y, z, or name the "
-            "columns in the first row."
-        )
-    values = [_number(cell) for cell in row]
-    for cell, value in zip(row, values, strict=True):
-        if value is None or not abs(value) < _LARGEST:
-            raise ValueError(
-                f"{path.name}, line {line}: {cell[:20]!r} is not a coordinate in mm: correct it."
-            )
-    return (*values, 0.0)[:3]
-
-
-def _number(cell):
+def text_of(path, kind: str) -> str:
+    """Content of a text file in UTF-8; `Refusal` where it cannot be read or is no text."""
     try:
-        value = float(cell)
-    except ValueError:
-        return None
-    return value if math.isfinite(value) else None
+        return content_of(path).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise _no_text(path, kind) from error
+
+
+def any_text_of(path: Path, kind: str) -> str:
+    """Content of a text file as Windows or Unix programs write it: UTF-8, -16, -32, or cp1252."""
+    content = content_of(path)
+    encoding = next((name for mark, name in _BOMS if content.startswith(mark)), None)
+    if encoding is None and content[:200].count(0) > len(content[:200]) / 4:
+        encoding = "utf-16-be" if content[:1] == b"\0" else "utf-16-le"
+    for name in (encoding,) if encoding else ("utf-8", "cp1252", "latin-1"):
+        try:
+            text = content.decode(name)
+        except UnicodeDecodeError:
+            continue
+        if not _CONTROLS & set(text):
+            return text
+    raise _no_text(path, kind)
+
+
+def _no_text(path, kind):
+    return Refusal("{name} is not a text file", name=path.name, kind=kind,
+                   cure="choose a {kind} file")  # fmt: skip

@@ -7,12 +7,13 @@ import FreeCAD as App
 import numpy as np
 import Part
 
-from ..origami import tube as tubes
-from ..origami.angles import angles_for
-from ..origami.creases import INDEX, PANELS
-from ..origami.ratios import DEFAULT_SHARE, RULES, SPHERE_RULES, RatioRule
-from ..origami.snap import PLA_STRAIN, barrier
-from ..origami.target_snap import TargetBarrier, TargetMargin
+from ..origami.design import Single, TubeDesign
+from ..origami.errors import Refusal, phrase
+from ..origami.snap.table import LEGACY, MEASURES
+from ..origami.snap.targets import FIRM, TargetBarrier, TargetMargin
+from ..origami.units.creases import INDEX, PANELS
+from ..origami.units.ratios import DEFAULT_SHARE, RULES, SPHERE_RULES, RatioRule
+from ..solids.matrices import array_of
 from .base import (
     BistableObject,
     Prop,
@@ -22,13 +23,10 @@ from .base import (
     set_result,
     set_warnings,
 )
-from .triangle_placement import TrianglePlacement, place_along
+from .links import linked
+from .triangle_placement import TrianglePlacement, placing_of
 
 _ALONE = ("Theta", "EdgeLength", "Omega", "Thickness")
-_TARGETS = ("TargetMargin", "HingePlay", "StrainLimit", "TargetBarrier")
-# The inputs that shape the units of a tube, whatever the Deployment.
-SHAPING = ("RatioRule", "Ratio", "RatioShare", "HeightRatio", *_TARGETS)
-_BARRIER_STEPS = 25
 _FLAT_ENOUGH = 1e-7  # mm that a corner may lie off its panel's plane
 
 
@@ -58,11 +56,17 @@ class BistableUnit(BistableObject):
              "thickness + gap between planes), 1.8 mm for example; a tube takes it from its "
              "triangles", 0.0),
         Prop("Float", "TargetMargin", "Target snap", "Wanted snap margin: needed play / play of "
-             "the hinges. 1.5 is firm, below 1 is floppy", 1.5),
+             "the hinges. 1.8 carries a usual tube, below 1 is floppy", FIRM),
+        Prop("FloatList", "UnitMargins", "Target snap", "Wanted snap margin of each unit, as "
+             "aiming at a force or a load finds them; empty: TargetMargin for all", []),
         Prop("Length", "HingePlay", "Target snap", "Play of one hinge; 0.28 mm is that of the "
              "hinges' defaults, 0 that of flexible hinges", 0.28),
-        Prop("Float", "StrainLimit", "Target snap", "Peak strain that the material bears: 0.02 "
-             "for PLA", PLA_STRAIN),
+        Prop("Enumeration", "MarginMeasure", "Target snap", "What TargetMargin counts. Contact: "
+             "play where the hinges' cones are, as the hinge set measures it. Crease: play at the "
+             "creases' ends, as up to version 0.1, which takes for firm what is floppy",
+             list(MEASURES), LEGACY),
+        Prop("Float", "StrainLimit", "Target snap", "Largest misfit of hinges / ‖AB‖ that ratios "
+             "may lead to; 0: none. What breaks is told by Stresses of the hinge set", 0.0),
         Prop("Float", "TargetBarrier", "Target snap", "Instead of a margin: wanted energy barrier "
              "of the zero-thickness units, in EA·‖AB‖; 0 aims for TargetMargin", 0.0),
         Prop("FloatConstraint", "Deployment", "State", "0 is flat-folded, 1 is deployed; both "
@@ -71,6 +75,8 @@ class BistableUnit(BistableObject):
         Result("FloatList", "Betas", "Results", "Angle beta of every unit, degrees"),
         Result("FloatList", "BetaPrimes", "Results", "Angle beta' of every unit, degrees"),
         Result("FloatList", "Ratios", "Results", "Ratio ‖A'C'‖/‖AB‖ of every unit"),
+        Result("FloatList", "Omegas", "Results", "Base angle ω of every unit's contact trapezoids, "
+               "degrees; 90 where the legs are parallel"),
         Result("Float", "IsometryError", "Results", "Largest relative change of any edge or "
                "diagonal of a panel between flat and deployed"),
         Result("Float", "Residual", "Results", "Largest relative change of a panel edge: what the "
@@ -83,9 +89,12 @@ class BistableUnit(BistableObject):
 
     def onChanged(self, obj, name):
         """Show only the inputs that count: a tube takes angle and length from its triangles."""
+        super().onChanged(obj, name)
         if name == "Ratio" and self.ready(obj):
             if obj.RatioRule == "Adaptive":
                 obj.RatioRule = "Fixed"  # whoever sets a ratio means it
+        elif name == "TargetMargin" and self.ready(obj) and obj.UnitMargins:
+            obj.UnitMargins = []  # whoever sets one for all means it
         elif name == "Triangles" and "Omega" in obj.PropertiesList:
             for prop in _ALONE:
                 if prop in obj.PropertiesList:
@@ -102,7 +111,8 @@ class BistableUnit(BistableObject):
 
     def generate(self, obj):
         """Faces of all panels at `Deployment`, and the angles and ratios of the units."""
-        tube, warnings = _tube_and_warnings(obj)
+        design = design_of(obj)
+        tube = design.tube()
         unit = tube.unit
         set_result(
             obj,
@@ -110,84 +120,77 @@ class BistableUnit(BistableObject):
             Betas=_degrees(unit.beta),
             BetaPrimes=_degrees(unit.beta_prime),
             Ratios=np.broadcast_to(unit.ratio, len(unit)).tolist(),
+            Omegas=_degrees(
+                np.broadcast_to(np.pi / 2 if unit.omega is None else unit.omega, len(unit))
+            ),
             IsometryError=float(unit.isometry_error().max()),
             Residual=float(unit.residual().max()),
-            Barriers=_barriers(unit).tolist(),
+            Barriers=design.barriers().tolist(),
         )
-        set_warnings(obj, warnings)
+        set_warnings(obj, _snap_warnings(obj, design))
         obj.Shape = _shape(obj, tube, obj.Deployment)
 
     def bodies_at(self, obj, opening):
-        """[(name, shape)] of all faces at an opening."""
+        """[(name, shape, kind)] of all faces at an opening; they are of no one kind."""
         shape = _shape(obj, tube_of(obj), opening)
         shape.Placement = obj.Placement
-        return [(obj.Label, shape)]
+        return [(obj.Label, shape, "")]
 
 
 def _shape(obj, tube, opening):
     """Faces of a tube at an opening, in the object's own frame."""
     points = tube.state(opening)
     if obj.Triangles is not None:
-        matrix = np.array(global_placement(obj).inverse().toMatrix().A).reshape(4, 4)
+        matrix = array_of(global_placement(obj).inverse())
         points = points @ matrix[:3, :3].T + matrix[:3, 3]
     return faces(points)
 
 
 def tube_of(obj):
     """The `Tube` of a BistableUnit object; a single unit is a tube of one."""
+    return design_of(obj).tube()
+
+
+def design_of(obj):
+    """`design.TubeDesign` of a BistableUnit object, in the global frame along a curve."""
     triangles = triangles_below(obj)
-    if triangles is None:
-        return tubes.single(_single_unit(obj))
-    placed, geometry = place_along(triangles)
-    return tube_on(obj, placed, geometry)
+    where = _single(obj) if triangles is None else placing_of(triangles)
+    return obj.Proxy.held(TubeDesign(where, _rule(obj, where), obj.HeightRatio))
 
 
-def _tube_and_warnings(obj):
-    """The tube, and sentences on units that miss the target or are floppy.
+def _snap_warnings(obj, design):
+    """Sentences on units that miss the target or are floppy.
 
     What is said of a snap is looked up, not measured: HingeSet measures it.
     """
-    tube = tube_of(obj)
+    tube, edge_length, pitch = design.tube(), design.edge_length, design.pitch
     theta, leaning = tube.unit.theta, tube.leaning
-    source = triangles_below(obj) or obj
-    edge_length, pitch = source.EdgeLength.Value, source.Thickness.Value
-    if obj.RatioRule == "TargetSnap":
-        target = _target(obj, edge_length, pitch)
-        warnings = target.choose(theta, leaning).warnings
-        if isinstance(target, TargetMargin):
-            return tube, warnings
-    else:
-        warnings = []
+    warnings = []
+    if design.rule.target is not None:
+        warnings = design.rule.target.choose(theta, leaning).warnings
+        if isinstance(design.rule.target, TargetMargin) and obj.MarginMeasure != LEGACY:
+            return warnings
     if pitch > 0 and obj.HingePlay.Value > 0:
         snap = TargetMargin(edge_length, pitch, play=obj.HingePlay.Value)
         free = obj.RatioRule not in SPHERE_RULES
         warnings = [*warnings, *snap.floppy(theta, tube.unit.ratio, leaning, free)]
-    return tube, warnings
+    return warnings
 
 
 def triangles_below(obj):
     """The TrianglePlacement of a BistableUnit object, None for a single unit."""
-    if obj.Triangles is None:
+    if linked(obj, "Triangles") is None:
         return None
-    hint = "choose a TrianglePlacement of this workbench, or none for a single unit"
+    hint = phrase("choose a TrianglePlacement of this workbench, or none for a single unit")
     return require_link(obj, "Triangles", TrianglePlacement.Type, hint)
 
 
-def tube_on(obj, placed, geometry, tuning=None):
-    """The `Tube` by the parameters of a BistableUnit object on a `Placement`."""
-    return tubes.along(
-        placed,
-        geometry.family,
-        obj.HeightRatio,
-        _rule(obj, placed.edge_length, placed.pitch),
-        geometry.sphere_radius,
-        tuning,
-    )
-
-
-def _rule(obj, edge_length, pitch):
-    target = None if obj.RatioRule != "TargetSnap" else _target(obj, edge_length, pitch)
-    return RatioRule(obj.RatioRule, obj.Ratio, obj.RatioShare, target)
+def _rule(obj, where):
+    """The `RatioRule`, with the numbers that count for it only."""
+    if obj.RatioRule == "TargetSnap":
+        return RatioRule(obj.RatioRule, target=_target(obj, where.edge_length, where.pitch))
+    number = {"Adaptive": {"share": obj.RatioShare}, "Fixed": {"ratio": obj.Ratio}}
+    return RatioRule(obj.RatioRule, **number.get(obj.RatioRule, {}))
 
 
 def _target(obj, edge_length, pitch):
@@ -195,36 +198,37 @@ def _target(obj, edge_length, pitch):
     if obj.TargetBarrier:
         return TargetBarrier(obj.TargetBarrier)
     if pitch == 0 and obj.Triangles is not None:
-        raise ValueError(
-            f"Thickness of {obj.Triangles.Label} is 0 mm, and without thickness there is no snap "
-            "margin: set it to face thickness + gap between planes, 1.8 mm for example, or "
-            "aim for a TargetBarrier."
+        raise Refusal(
+            "{Thickness} of {label} is 0 mm, and without thickness there is no snap margin: set "
+            "it to face thickness + gap between planes, 1.8 mm for example, or aim for a "
+            "{TargetBarrier}.",
+            parameter="Thickness",
+            label=obj.Triangles.Label,
         )
-    return TargetMargin(edge_length, pitch, obj.TargetMargin, obj.HingePlay.Value, obj.StrainLimit)
+    return TargetMargin(
+        edge_length,
+        pitch,
+        tuple(obj.UnitMargins) or obj.TargetMargin,
+        obj.HingePlay.Value,
+        obj.StrainLimit,
+        obj.MarginMeasure,
+    )
 
 
-def _barriers(unit):
-    """Energy barriers (n,) in EA·‖AB‖ of the symmetric units with the same θ and ratio."""
-    theta = np.atleast_1d(unit.theta)
-    ratio = np.maximum(np.broadcast_to(unit.ratio, theta.shape), np.sin(theta / 2))
-    alpha, beta, _ = angles_for(theta, ratio)
-    return barrier(alpha, beta, _BARRIER_STEPS)[0]
-
-
-def _single_unit(obj):
+def _single(obj):
     omega = obj.Omega.Value
     if not 0 < omega <= 90:
-        raise ValueError(
-            f"Omega is {omega:.6g}°: set it to 90° for a plane unit, or above 0° and below 90° for "
-            "a unit on a sphere."
+        raise Refusal(
+            "{Omega} is {omega:.6g}°: set it to 90° for a plane unit, or above 0° and below 90° "
+            "for a unit on a sphere.",
+            parameter="Omega",
+            omega=omega,
         )
-    return tubes.make_unit(
-        "Plane" if omega == 90 else "Sphere",
-        np.array([math.radians(obj.Theta.Value)]),
+    return Single(
+        math.radians(obj.Theta.Value),
         obj.EdgeLength.Value,
-        obj.HeightRatio,
-        _rule(obj, obj.EdgeLength.Value, obj.Thickness.Value),
-        math.radians(omega),
+        np.pi / 2 if omega == 90 else math.radians(omega),
+        obj.Thickness.Value,
     )
 
 

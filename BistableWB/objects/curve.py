@@ -1,39 +1,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curve: an open Bézier by control points, or linked geometry; in a plane or on a sphere."""
+"""Curve: a Bézier by control points, or linked geometry; in a plane, on a sphere or in space."""
 
-from dataclasses import dataclass
+import re
+from functools import lru_cache
 
 import FreeCAD as App
 import numpy as np
 import Part
 
-from ..origami.bezier import Bezier
-from ..origami.crossing import CurveTable
-from ..origami.ruling import check_ruling, default_ruling
-from ..origami.tube import FAMILIES
+from ..origami.curves.bezier import Bezier
+from ..origami.curves.corners import RADII, Rounded
+from ..origami.curves.crossing import CurveTable
+from ..origami.curves.families import AUTOMATIC, FOUND_TIP, KINDS, KINDS_TIP
+from ..origami.curves.kinds import found_kind, plane_normal
+from ..origami.curves.ruling import check_ruling, default_ruling
+from ..origami.curves.spheres import Projected, Wrapped
+from ..origami.design import CurveGeometry
+from ..origami.errors import Refusal
+from ..origami.fit.defaults import usual_edge_length
+from ..solids.matrices import array_of
 from .base import BistableObject, Prop, Result, global_placement, set_result
 from .edges import EdgeChain, edges_of
+from .links import followed, linked
 
-_PLANAR = 1e-6  # of the curve's length
-_OFF_SPHERE = 0.25  # of the radius: further away, central projection is no longer what one sees
 _MAX_OCC_DEGREE = 25
+_ONE_POINT = re.compile(r"Points\[(\d+)\](?:\.([xyz]))?")
 DEFAULT_POINTS = [
     App.Vector(0, 0, 0), App.Vector(60, 120, 0), App.Vector(180, 120, 0), App.Vector(240, 0, 0)
 ]  # fmt: skip
 
 
-@dataclass(frozen=True)
-class CurveGeometry:
-    """A curve as the mathematics wants it: ``curve`` in space, its family, its strip's legs."""
-
-    curve: object
-    family: str
-    legs: tuple
-    sphere_radius: float | None = None
-
-
 class Curve(BistableObject):
-    """Open curve that the tube follows (section 3.1 of the paper)."""
+    """Curve that the tube follows (section 3.1 of the paper; section 5 for closed ones)."""
 
     Type = "Bistable::Curve"
     PROPERTIES = (
@@ -42,9 +40,9 @@ class Curve(BistableObject):
              DEFAULT_POINTS),
         Prop("LinkSub", "Source", "Curve", "Edge, wire, sketch or Draft curve to follow instead "
              "of Points"),
-        Prop("Enumeration", "Kind", "Curve", "Plane: any plane in space. Sphere: on the sphere "
-             "of SphereRadius about SphereCenter. General: any space curve, see Ruling",
-             list(FAMILIES)),
+        Prop("Enumeration", "Kind", "Curve", KINDS_TIP, list(KINDS)),
+        Prop("Length", "CornerRadius", "Curve", "Radius by which kinks are rounded, so that the "
+             "units can follow; 0: as much as units of the usual size ask for and fits", 0.0),
         Prop("Length", "SphereRadius", "Sphere", "Radius of the sphere that carries the curve",
              150.0),
         Prop("Vector", "SphereCenter", "Sphere", "Centre of the sphere; all legs of the strips "
@@ -55,151 +53,151 @@ class Curve(BistableObject):
         Prop("Vector", "Ruling", "General", "Direction of all legs of the strips, or the point "
              "that they all pass (setting it turns Automatic off)", App.Vector(0, 0, 0)),
         Result("Length", "Length", "Results", "Length of the curve"),
-        Result("Bool", "Closed", "Results", "The ends of the curve coincide (not allowed)"),
+        Result("Bool", "Closed", "Results", "The ends of the curve coincide: its tube is printed "
+               "flat as an open chain and joined when deployed"),
+        Result("String", "FoundKind", "Results", FOUND_TIP),
     )  # fmt: skip
 
     def onChanged(self, obj, name):
         """Whoever sets a ruling means it."""
+        super().onChanged(obj, name)
         if name == "Ruling" and self.ready(obj) and obj.RulingKind == "Automatic":
             obj.RulingKind = "Direction"
 
+    def execute(self, obj):
+        """Recompute; expressions for single points count, as `driven` says."""
+        driven(obj)
+        super().execute(obj)
+
     def generate(self, obj):
         """Shape of the curve and its length; ValueError for a curve that no tube can follow."""
-        geometry = local_geometry(obj)
+        geometry = self.held(local_geometry(obj))
         table = CurveTable(geometry.curve, 1e9)
         length = float(table.lengths[-1])
         closed = bool(np.linalg.norm(table.points[-1] - table.points[0]) <= 1e-6 * length)
-        set_result(obj, Length=App.Units.Quantity(length, App.Units.Length), Closed=closed)
-        if closed:
-            at = ", ".join(f"{x:.4g}" for x in table.points[0])
-            raise ValueError(
-                f"Curve is closed at ({at}) mm: a closed tube cannot be both bistable and "
-                "flat-foldable; open it by a gap of a few EdgeLength."
-            )
-        shape = _display_shape(obj, geometry)
-        obj.Shape = shape
+        set_result(
+            obj,
+            Length=App.Units.Quantity(length, App.Units.Length),
+            Closed=closed,
+            FoundKind=geometry.family,
+        )
+        obj.Shape = _display_shape(obj, geometry)
+
+    def onDocumentRestored(self, obj):
+        """Migrate; files from before Automatic have a shorter list of kinds."""
+        super().onDocumentRestored(obj)
+        if obj.getEnumerationsOfProperty("Kind") != list(KINDS):
+            chosen = obj.Kind
+            obj.Kind = list(KINDS)
+            obj.Kind = chosen
+
+
+def driven(obj):
+    """Give ``Points`` what expressions say of single points, as ``Points[1].x``.
+
+    FreeCAD works such expressions out and keeps nothing of it; one for all of ``Points`` works
+    without this.
+    """
+    points = [App.Vector(p) for p in obj.Points]
+    for path, expression, *_ in obj.ExpressionEngine:
+        match = _ONE_POINT.fullmatch(path.lstrip("."))
+        if match is None:
+            continue
+        index, axis = int(match[1]), match[2]
+        value = obj.evalExpression(expression)
+        if axis is None:
+            points[index] = App.Vector(value)
+        else:
+            setattr(points[index], axis, float(getattr(value, "Value", value)))
+    if points != list(obj.Points):
+        obj.Points = points
 
 
 def geometry_of(obj):
-    """`CurveGeometry` of a Curve object in the global frame; ValueError as on recompute."""
-    return placed(local_geometry(obj), global_placement(obj))
+    """`CurveGeometry` of a Curve object in the global frame; ValueError as on recompute.
+
+    An App::Link to a Curve stands where the link stands.
+    """
+    return placed(local_geometry(followed(obj)), global_placement(obj))
 
 
 def local_geometry(obj):
     """`CurveGeometry` of a Curve object in its own frame (before its Placement)."""
     curve = _own_curve(obj)
-    if obj.Kind == "Sphere":
+    kind, centre, radius = obj.Kind, None, None
+    if kind == AUTOMATIC:
+        kind, centre, radius = _found_kind(CurveGeometry(curve))
+    elif kind == "Sphere":
         return _on_sphere(obj, curve)
-    if obj.Kind == "General":
-        return CurveGeometry(curve, "General", _ruling(obj, curve))
-    return CurveGeometry(curve, "Plane", ("parallel", _plane_normal(curve)))
+    if kind == "Sphere":
+        return CurveGeometry(Projected(curve, centre, radius), kind, ("point", centre), radius)
+    if kind == "General":
+        return CurveGeometry(curve, kind, _ruling(obj, curve))
+    return CurveGeometry(curve, kind, ("parallel", _plane_normal(CurveGeometry(curve))))
 
 
 def _own_curve(obj):
-    if obj.Source is None:
+    if linked(obj, "Source") is None:
         return Bezier([tuple(p) for p in obj.Points])
     edges, label = edges_of(obj.Source)
-    chain = EdgeChain(edges, label)
+    curve = EdgeChain(edges, label)
+    if curve.kinks:
+        most = RADII * usual_edge_length(curve.length)
+        curve = Rounded(curve, curve.kinks, obj.CornerRadius.Value or None, most)
     inverse = global_placement(obj).inverse()
-    return chain if inverse.isIdentity() else Moved(chain, inverse)
+    return curve if inverse.isIdentity() else Moved(curve, inverse)
 
 
 def _ruling(obj, curve):
     """Legs for a curve of kind General, in the object's own frame."""
     if obj.RulingKind == "Automatic":
-        return default_ruling(curve)
+        return _default_ruling(CurveGeometry(curve, "General"))
     kind = "parallel" if obj.RulingKind == "Direction" else "point"
-    legs = kind, np.array(tuple(obj.Ruling))
-    check_ruling(curve, legs)
+    legs = kind, tuple(obj.Ruling)
+    _check_ruling(CurveGeometry(curve, "General", legs))
     return legs
 
 
-def _plane_normal(curve):
-    """Normal of the plane of ``curve``, towards +z (or +y, +x) where it can; ValueError if none."""
-    points = CurveTable(curve, 1e9).points
-    centre = points.mean(0)
-    _, spread, axes = np.linalg.svd(points - centre, full_matrices=False)
-    if spread[1] <= 1e-9 * spread[0]:  # straight: any plane will do, prefer the horizontal one
-        along = axes[0]
-        helper = np.array([0, 0, 1.0]) if abs(along[2]) < 0.999 else np.array([0, 1.0, 0])
-        normal = helper - (helper @ along) * along
-        return normal / np.linalg.norm(normal)
-    normal = axes[2]
-    distance = (points - centre) @ normal
-    k = int(np.argmax(np.abs(distance)))
-    extent = np.ptp(points @ axes[0])
-    if abs(distance[k]) > _PLANAR * extent:
-        at = ", ".join(f"{x:.4g}" for x in points[k])
-        raise ValueError(
-            f"Curve is not planar: near ({at}) mm it lies {abs(distance[k]):.4g} mm off its best "
-            "plane; flatten it, or set Kind to Sphere if it lies on a sphere."
-        )
-    normal[np.abs(normal) < 1e-12] = 0
-    first = normal[2] or normal[1] or normal[0]
-    return normal * np.sign(first)
+# What has been found of a curve is found again for an equal one: every object above asks for it.
+@lru_cache(maxsize=16)
+def _default_ruling(geometry):
+    return default_ruling(geometry.curve)
+
+
+@lru_cache(maxsize=16)
+def _check_ruling(geometry):
+    check_ruling(geometry.curve, geometry.legs)
+
+
+@lru_cache(maxsize=16)
+def _plane_normal(geometry):
+    return tuple(plane_normal(geometry.curve).tolist())
+
+
+@lru_cache(maxsize=16)
+def _found_kind(geometry):
+    return found_kind(geometry.curve)
 
 
 def _on_sphere(obj, curve):
     radius, centre = obj.SphereRadius.Value, np.array(tuple(obj.SphereCenter))
     if not (np.isfinite(radius) and radius > 0 and np.isfinite(centre).all()):
-        raise ValueError(
-            f"SphereRadius is {radius:.6g} mm: give the sphere a radius above 0 and a finite "
-            "SphereCenter."
+        raise Refusal(
+            "{SphereRadius} is {radius:.6g} mm: give the sphere a radius above 0 and a finite "
+            "{SphereCenter}.",
+            parameter="SphereRadius",
+            radius=radius,
         )
     plan = obj.Source is None and not any(p.z for p in obj.Points)
     wrapped = Wrapped(curve, centre, radius) if plan else Projected(curve, centre, radius)
     return CurveGeometry(wrapped, "Sphere", ("point", centre), radius)
 
 
-class Wrapped:
-    """A plan curve wrapped onto a sphere from its top (azimuthal equidistant).
-
-    A plan point (x, y) goes in the direction of (x, y) down from the top of the sphere by an arc
-    of length √(x² + y²): distances from the top are kept.
-    """
-
-    def __init__(self, curve, centre, radius):
-        self.curve, self.centre, self.radius = curve, centre, radius
-        reach = np.linalg.norm(curve.point(np.linspace(0, 1, 257))[:, :2], axis=1).max()
-        if reach >= np.pi * radius:
-            raise ValueError(
-                f"Points reach {reach:.4g} mm from the top of the sphere, beyond its bottom at "
-                f"{np.pi * radius:.4g} mm: make SphereRadius larger or the curve smaller."
-            )
-
-    def point(self, s):
-        plan = self.curve.point(s)[..., :2]
-        arc = np.linalg.norm(plan, axis=-1, keepdims=True) / self.radius
-        direction = np.concatenate([plan / self.radius * np.sinc(arc / np.pi), np.cos(arc)], -1)
-        return self.centre + self.radius * direction
-
-
-class Projected:
-    """A curve in space projected from the centre onto a sphere."""
-
-    def __init__(self, curve, centre, radius):
-        self.curve, self.centre, self.radius = curve, centre, radius
-        points = CurveTable(curve, radius / 4).points
-        distance = np.linalg.norm(points - centre, axis=1)
-        k = int(np.argmax(np.abs(distance - radius)))
-        if abs(distance[k] - radius) > _OFF_SPHERE * radius:
-            at = ", ".join(f"{x:.4g}" for x in points[k])
-            raise ValueError(
-                f"Curve is not on the sphere: at ({at}) mm it is {distance[k]:.4g} mm from "
-                f"SphereCenter, SphereRadius is {radius:.4g} mm; correct SphereRadius and "
-                "SphereCenter, or bring the curve within a quarter of the radius."
-            )
-
-    def point(self, s):
-        offset = self.curve.point(s) - self.centre
-        return self.centre + self.radius * offset / np.linalg.norm(offset, axis=-1, keepdims=True)
-
-
 class Moved:
     """A curve moved by a FreeCAD placement."""
 
     def __init__(self, curve, placement):
-        matrix = np.array(placement.toMatrix().A).reshape(4, 4)
+        matrix = array_of(placement)
         self.curve, self.rotation, self.shift = curve, matrix[:3, :3], matrix[:3, 3]
 
     def point(self, s):
@@ -218,15 +216,21 @@ def placed(geometry, placement):
 
 def _display_shape(obj, geometry):
     """Edge that shows the curve: the Bézier itself, or a fine interpolation of it."""
-    if obj.Source is not None and obj.Kind != "Sphere":
-        edges, _ = edges_of(obj.Source)
+    straight = geometry.family != "Sphere" or obj.Kind == AUTOMATIC
+    rounded = isinstance(geometry.curve, Rounded) or isinstance(
+        getattr(geometry.curve, "curve", None), Rounded
+    )
+    if obj.Source is not None and straight and not rounded:
+        pieces = EdgeChain(*edges_of(obj.Source)).pieces
         back = global_placement(obj).inverse().toMatrix()
-        return Part.Wire(Part.__sortEdges__([e.transformGeometry(back) for e in edges]))
-    if obj.Source is None and obj.Kind != "Sphere" and len(obj.Points) <= _MAX_OCC_DEGREE + 1:
+        return Part.Wire([edge.transformGeometry(back) for edge, _, _ in pieces])
+    if obj.Source is None and straight and len(obj.Points) <= _MAX_OCC_DEGREE + 1:
         bezier = Part.BezierCurve()
         bezier.setPoles(list(obj.Points))
         return bezier.toShape()
-    points = geometry.curve.point(np.linspace(0, 1, 129))
+    points = geometry.curve.point(np.linspace(0, 1, 513 if rounded else 129))
+    closed = np.linalg.norm(points[0] - points[-1]) < 1e-6 * np.ptp(points)
     spline = Part.BSplineCurve()
-    spline.interpolate([App.Vector(*p) for p in points.tolist()])
+    vectors = [App.Vector(*p) for p in points.tolist()]
+    spline.interpolate(vectors[:-1] if closed else vectors, PeriodicFlag=bool(closed))
     return spline.toShape()

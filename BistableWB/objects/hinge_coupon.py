@@ -4,11 +4,18 @@
 import FreeCAD as App
 import Part
 
-from ..origami.hinge_parameters import PRESETS
+from ..origami.hinges.presets import PRESETS
 from ..solids.coupons import KINDS, coupon_bodies
-from .base import Prop, Result, set_result
-from .hinge_inputs import HINGE_PROPERTIES, apply_preset, hinge_parameters, preset_remarks
-from .self_drawn import SelfDrawn
+from .base import Prop, Result, set_result, set_warnings
+from .hinge_inputs import (
+    HINGE_PROPERTIES,
+    apply_preset,
+    apply_process,
+    count_segments,
+    hinge_parameters,
+    preset_remarks,
+)
+from .self_drawn import BODY_RESULTS, SelfDrawn, body_results
 
 CUSTOM = "Custom"
 
@@ -26,16 +33,19 @@ class HingeCoupon(SelfDrawn):
         Prop("Length", "LengthX", "Coupon", "Length of the coupon along the hinge", 45.0),
         Prop("Length", "LengthY", "Coupon", "Width of the coupon", 36.0),
         *HINGE_PROPERTIES,
-        Result("Integer", "BodyCount", "Results", "Number of separate moving bodies"),
-        Result("StringList", "BodyNames", "Results", "Names of the bodies, in the order of the "
-               "solids"),
+        *BODY_RESULTS,
         Result("Vector", "PrintSize", "Results", "Length, width and height of the print, mm"),
         Result("StringList", "Warnings", "Results", "What to look at before printing"),
     )  # fmt: skip
 
     def onChanged(self, obj, name):
-        """A preset sets the inputs that the paper's table gives."""
-        if name == "Preset" and self.ready(obj) and obj.Preset != CUSTOM:
+        """A preset sets the inputs that the paper's table gives; a count of knuckles counts."""
+        super().onChanged(obj, name)
+        if not self.ready(obj):
+            return
+        count_segments(obj, name)
+        apply_process(obj, name)
+        if name == "Preset" and obj.Preset != CUSTOM:
             apply_preset(obj, obj.Preset)
             for prop, length in zip(("LengthX", "LengthY"), PRESETS[obj.Preset].size, strict=False):
                 if length:
@@ -50,18 +60,22 @@ class HingeCoupon(SelfDrawn):
         box = shape.BoundBox
         set_result(
             obj,
-            BodyCount=len(bodies),
-            BodyNames=[body.name for body in bodies],
+            **body_results(bodies),
             PrintSize=App.Vector(box.XLength, box.YLength, box.ZLength),
-            Warnings=[*remarks, *parameters.warnings(), *notes],
         )
+        set_warnings(obj, [*remarks, *parameters.warnings(), *notes])
         obj.Shape = shape
 
-    def bodies(self, obj, notes=None):
+    def bodies(self, obj, notes=None, opening=0.0):
         """`solids.tube.Body` list of the coupon; ValueError where its hinge cannot be made."""
         lengths = obj.LengthX.Value, obj.LengthY.Value
-        return coupon_bodies(obj.Kind, hinge_parameters(obj), *lengths, notes=notes)
+        return coupon_bodies(obj.Kind, hinge_parameters(obj), *lengths, notes, opening)
 
     def export_bodies(self, obj):
-        """[(name, shape), …] of the coupon."""
-        return [(body.name, body.shape) for body in self.bodies(obj)]
+        """[(name, shape, kind), …] of the coupon."""
+        return self.bodies_at(obj, 0.0)
+
+    def bodies_at(self, obj, opening):
+        """The same at an opening: 0 as printed, 1 with the plates of a dihedral in one plane."""
+        made = self.bodies(obj, opening=opening)
+        return [(body.name, body.shape, body.kind) for body in made]

@@ -2,26 +2,28 @@
 """Batched rigid motions: rotations as (…, 3, 3), poses as (…, 4, 4) that act on column vectors."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 _TINY = 1e-24
+_LATER, _EARLIER = np.array([2, 0, 1]), np.array([1, 2, 0])
 
 
-def skew(v):
+def skew(v: NDArray) -> NDArray:
     """Matrices [v]× with [v]× u = v × u: (…, 3) → (…, 3, 3)."""
-    x, y, z = np.moveaxis(np.asarray(v, float), -1, 0)
-    o = np.zeros_like(x)
-    return np.stack([o, -z, y, z, o, -x, -y, x, o], -1).reshape(*x.shape, 3, 3)
+    v = np.asarray(v, float)
+    found = np.zeros((*v.shape, 3))
+    found[..., 0, 1], found[..., 0, 2], found[..., 1, 2] = -v[..., 2], v[..., 1], -v[..., 0]
+    found[..., 1, 0], found[..., 2, 0], found[..., 2, 1] = v[..., 2], -v[..., 1], v[..., 0]
+    return found
 
 
-def vee(matrices):
+def vee(matrices: NDArray) -> NDArray:
     """Twice the axial vector of the skew part, inverse of `skew` up to the factor 2."""
-    m = matrices
-    return np.stack(
-        [m[..., 2, 1] - m[..., 1, 2], m[..., 0, 2] - m[..., 2, 0], m[..., 1, 0] - m[..., 0, 1]], -1
-    )
+    found: NDArray = matrices[..., _LATER, _EARLIER] - matrices[..., _EARLIER, _LATER]
+    return found
 
 
-def rotation(vector):
+def rotation(vector: NDArray) -> NDArray:
     """Rotation by |vector| radians about vector (Rodrigues): (…, 3) → (…, 3, 3)."""
     vector = np.asarray(vector, float)
     square = (vector * vector).sum(-1)[..., None, None]
@@ -34,7 +36,7 @@ def rotation(vector):
     return np.eye(3) + first * k + second * (k @ k)
 
 
-def rotation_vector(matrices):
+def rotation_vector(matrices: NDArray) -> NDArray:
     """Inverse of `rotation` for angles below π: (…, 3, 3) → (…, 3)."""
     twice = vee(matrices)
     sine = np.linalg.norm(twice, axis=-1)  # 2 sin(angle)
@@ -44,7 +46,7 @@ def rotation_vector(matrices):
     return factor[..., None] * twice
 
 
-def tangent(vector):
+def tangent(vector: NDArray) -> NDArray:
     """Matrices J with rotation(vector + d) ≈ rotation(J d) rotation(vector): (…, 3) → (…, 3, 3)."""
     vector = np.asarray(vector, float)
     square = (vector * vector).sum(-1)[..., None, None]
@@ -57,13 +59,13 @@ def tangent(vector):
     return np.eye(3) + first * k + second * (k @ k)
 
 
-def twist_angle(matrices, axis):
+def twist_angle(matrices: NDArray, axis: NDArray) -> NDArray:
     """Angle about the unit vector ``axis`` in rotation = swing · twist: (…, 3, 3), (…, 3) → (…)."""
     along = (vee(matrices) * axis).sum(-1)
     return 2 * np.arctan2(along, 1 + np.trace(matrices, axis1=-2, axis2=-1))
 
 
-def pose(rotations, translations):
+def pose(rotations: NDArray, translations: NDArray) -> NDArray:
     """Poses of rotations (…, 3, 3) followed by translations (…, 3)."""
     result = np.zeros((*rotations.shape[:-2], 4, 4))
     result[..., :3, :3] = rotations
@@ -72,18 +74,18 @@ def pose(rotations, translations):
     return result
 
 
-def apply(poses, points):
+def apply(poses: NDArray, points: NDArray) -> NDArray:
     """Images of points (…, k, 3) under poses (…, 4, 4)."""
     return points @ np.swapaxes(poses[..., :3, :3], -1, -2) + poses[..., None, :3, 3]
 
 
-def inverse(poses):
+def inverse(poses: NDArray) -> NDArray:
     """Inverse rigid motions."""
     back = np.swapaxes(poses[..., :3, :3], -1, -2)
     return pose(back, -(back @ poses[..., :3, 3:])[..., 0])
 
 
-def fit(before, after):
+def fit(before: NDArray, after: NDArray) -> NDArray:
     """Poses that carry points (…, k, 3) best onto others, least squares (Kabsch)."""
     middle, target = before.mean(-2, keepdims=True), after.mean(-2, keepdims=True)
     u, _, vt = np.linalg.svd(np.swapaxes(before - middle, -1, -2) @ (after - target))
@@ -93,7 +95,7 @@ def fit(before, after):
     return pose(turn, (target - middle @ np.swapaxes(turn, -1, -2))[..., 0, :])
 
 
-def between(first, second, fraction):
+def between(first: NDArray, second: NDArray, fraction: NDArray | float) -> NDArray:
     """Poses part of the way: rotations by the shorter arc, translations straight."""
     fraction = np.asarray(fraction, float)[..., None]
     turn = rotation_vector(np.swapaxes(first[..., :3, :3], -1, -2) @ second[..., :3, :3])

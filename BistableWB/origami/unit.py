@@ -5,7 +5,7 @@ One class, `Unit`, and three functions that make it: `plane_unit`, `sphere_unit`
 `general_unit`. `VERTICES` and `PANELS` name what it is made of.
 """
 
-from .closed_forms import (
+from .units.closed_forms import (
     BARS,
     IS_EDGE,
     Unit,
@@ -15,8 +15,8 @@ from .closed_forms import (
     plane_unit,
     sphere_unit,
 )
-from .creases import PANELS, VERTICES
-from .general import general_unit
+from .units.creases import PANELS, VERTICES
+from .units.general import general_unit
 
 __all__ = [
     "BARS", "IS_EDGE", "PANELS", "VERTICES", "Unit", "bar_lengths", "contact_radius",

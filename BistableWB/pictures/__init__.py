@@ -8,10 +8,12 @@ and return its path.
 
 from .charts import angle_chart
 from .film import deployment
+from .force_charts import safety_chart, torque_chart
+from .ghosts import slop_picture
 from .hinge import hinge_detail
 from .page import NoMatplotlib, require
 from .plan import top_view
-from .prints import openings, print_on_bed, stack_and_tube
+from .prints import openings, print_on_bed, print_with_ties, stack_and_tube
 from .snap_charts import energy_chart, fit_chart, margin_chart
 from .states import both_states, standing_view
 
@@ -26,8 +28,12 @@ __all__ = [
     "margin_chart",
     "openings",
     "print_on_bed",
+    "print_with_ties",
     "require",
+    "safety_chart",
+    "slop_picture",
     "stack_and_tube",
     "standing_view",
     "top_view",
+    "torque_chart",
 ]

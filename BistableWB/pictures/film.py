@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from ..files import whole_file
 from . import stage
 from .prints import frame_of
 from .shading import Ground, render_solids
@@ -54,7 +55,9 @@ def write_gif(images, path, pause, held=None):
     film = [*frames, *frames[-2:0:-1]]
     times = [pause] * len(film)
     times[0] = times[len(frames) - 1] = held or pause
-    film[0].save(path, save_all=True, append_images=film[1:], duration=times, loop=0, optimize=True)
+    given = {"append_images": film[1:], "duration": times, "loop": 0, "optimize": True}
+    with whole_file(path) as unfinished:
+        film[0].save(unfinished, save_all=True, **given)
 
 
 def _palette(images):

@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from .. import colours
-from ..origami.bezier import normalised
+from ..origami.curves.bezier import normalised
 from . import stage
 from .page import DPI, blank_axes, figure, scale_bar
 from .rendering import camera

@@ -7,6 +7,8 @@ from contextlib import contextmanager
 import numpy as np
 
 from .. import colours
+from ..files import whole_file
+from ..origami.errors import Refusal
 
 DPI = 200
 _STYLE = {
@@ -31,8 +33,8 @@ _STYLE = {
 }
 
 
-class NoMatplotlib(Exception):
-    """matplotlib is not installed; the text says what to do."""
+class NoMatplotlib(Refusal):
+    """matplotlib is not installed."""
 
 
 def require():
@@ -41,7 +43,8 @@ def require():
         import matplotlib
     except ImportError:
         raise NoMatplotlib(
-            "Pictures need matplotlib: install it (Debian: apt install python3-matplotlib)."
+            "Pictures need matplotlib, which is not installed",
+            cure="install it (Debian: apt install python3-matplotlib)",
         ) from None
     return matplotlib
 
@@ -57,7 +60,9 @@ def figure(path, width, height):
         sheet = Figure(figsize=(width, height), dpi=DPI, facecolor="white")
         FigureCanvasAgg(sheet)
         yield sheet
-        sheet.savefig(path, dpi=DPI, metadata={"Software": None} if path.suffix == ".png" else None)
+        metadata = {"Software": None} if path.suffix == ".png" else None
+        with whole_file(path) as unfinished:
+            sheet.savefig(unfinished, dpi=DPI, metadata=metadata)
 
 
 def page(extent, widest=8.0, tallest=7.0, least=(3.6, 2.6)):

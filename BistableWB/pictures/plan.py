@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from .. import colours
-from ..origami.bezier import normalised
+from ..origami.curves.bezier import normalised
 from .page import blank_axes, figure, page, round_length, scale_bar
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of hinged prints as shaded solids: the stack and the tube, the way between, a hinge.
 
-``bodies`` are `solids.mesh.PlacedMesh`, ``motions`` one (4, 4) a body from the flat print, None for
+``bodies`` are `meshes.PlacedMesh`, ``motions`` one (4, 4) a body from the flat print, None for
 what is left out, as in HingeSet's model.
 """
 
@@ -52,6 +52,23 @@ def print_on_bed(path, bodies):
     half = _bed_size(things)
     text = ("as printed", stage.size(things), f"{len(bodies)} bodies")
     _draw(path, view, [things], [Ground(-half, half, -0.02, bed=True)], [text], [], widest=5.5)
+    return path
+
+
+def print_with_ties(path, bodies, ties):
+    """A print on edge seen from both sides; its ties stand out, its bodies are pale."""
+    view = stage.view_along((0, 1, 0), _TURN, _ELEVATION)
+    states, texts, right = [], [], 0.0
+    for turn, name in ((0.0, "from one side"), (np.pi, "from the other")):
+        move = np.eye(4)
+        move[:2, :2] = [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
+        held = [body._replace(place=move @ body.place, kind="support") for body in bodies]
+        things = stage.solids([*held, *(tie._replace(place=move @ tie.place) for tie in ties)])
+        left, wide = _reach(view, things)
+        states.append(stage.shifted(things, (right - left) * view.axes[0]))
+        right += wide + 10.0
+        texts.append((name, stage.size(things), f"{len(ties)} ties"))
+    _draw(path, view, states, [], texts, [])
     return path
 
 
@@ -163,8 +180,8 @@ def _legend(axes, kinds):
     if not kinds:
         return
     handles = [
-        Patch(facecolor=stage.colour_of(kind), edgecolor=colours.INK, linewidth=0.6, label=text)
-        for kind, text in stage.MATERIALS.items()
+        Patch(facecolor=colours.of(kind), edgecolor=colours.INK, linewidth=0.6, label=text)
+        for kind, text in stage.LEGEND.items()
         if kind in kinds
     ]
     axes.legend(

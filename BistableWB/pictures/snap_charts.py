@@ -60,7 +60,7 @@ def _energy_line(axes, fractions, values, name, power, colour, style):
 def margin_chart(path, margins, target=None, reference=None):
     """Snap margin of every unit as bars, floppy ones (below 1) hatched and named.
 
-    ``margins`` (n,): needed play / play of the hinge; infinite ones are hinges without play.
+    ``margins`` (n,): needed clearance / clearance of the hinges; infinite ones are without play.
     ``target``: a wanted margin to draw; ``reference``: what the bars are, for the axis.
     """
     margins = np.atleast_1d(np.asarray(margins, float))
@@ -88,7 +88,7 @@ def margin_chart(path, margins, target=None, reference=None):
             axes.set_xticks(number)
         axes.xaxis.grid(False)
         axes.set_xlabel("unit k, along the curve")
-        axes.set_ylabel(reference or "snap margin (needed play / play)")
+        axes.set_ylabel(reference or "snap margin (needed clearance / clearance)")
         axes.legend(loc="upper right", ncols=3, **_LEGEND)
     return path
 
@@ -110,7 +110,7 @@ def _name_bars(axes, number, margins, shown, floppy):
             axes.annotate(text, (k, height), xytext=(0, 2), textcoords="offset points",
                           ha="center", fontsize=size, zorder=4, path_effects=halo())  # fmt: skip
     if not np.isfinite(margins[weakest]):
-        said = "hinges without play: no unit is floppy"
+        said = "hinges without play: a margin tells nothing, measure how hard they snap"
     elif floppy.any():
         said = f"{floppy.sum()} of {len(margins)} units floppy, weakest: unit {weakest + 1}"
     else:
@@ -121,7 +121,7 @@ def _name_bars(axes, number, margins, shown, floppy):
 def fit_chart(path, fit):
     """Designs of a search: how high they print and how far they stray, with their numbers.
 
-    ``fit``: `auto_fit.Fit`. Candidates are numbered as in ``fit.candidates``; 1 is recommended.
+    ``fit``: `search.Fit`. Candidates are numbered as in ``fit.candidates``; 1 is recommended.
     """
     rows = fit.candidates
     with figure(path, 8.0, 3.9 + 0.2 * len(rows)) as sheet:
@@ -150,17 +150,17 @@ def fit_chart(path, fit):
 def _fit_table(sheet, rows, tall):
     axes = sheet.add_axes((0.03, 0.02 / tall, 0.955, (0.2 * len(rows) + 0.24) / tall))
     axes.axis("off")
-    head = ("", "‖AB‖ mm", "γ", "ratio rule", "units", "margin ≥", "strain ≤", "print mm", "covers")
+    head = ("", "‖AB‖ mm", "γ", "ratio rule", "units", "margin ≥", "print mm", "covers")
     cells = [
         (
             str(n), f"{c.edge_length:.0f}", f"{degrees(c.gamma):.0f}°",
             c.rule if c.share is None else f"{c.rule}, share {c.share:g}", str(c.count),
-            f"{c.margin_min:.2f}", f"{c.strain_max:.1%}",
+            f"{c.margin_min:.2f}",
             " × ".join(f"{x:.0f}" for x in c.print_size), f"{c.coverage:.0%}",
         )
         for n, c in enumerate(rows, 1)
     ]  # fmt: skip
-    widths = (0.04, 0.09, 0.07, 0.22, 0.07, 0.1, 0.1, 0.19, 0.09)
+    widths = (0.05, 0.1, 0.08, 0.24, 0.08, 0.11, 0.21, 0.1)
     table = axes.table(cells, colLabels=head, colWidths=widths, loc="center", cellLoc="center",
                        bbox=(0, 0, 1, 1))  # fmt: skip
     table.auto_set_font_size(False)

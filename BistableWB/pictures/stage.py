@@ -4,42 +4,28 @@
 import numpy as np
 
 from .. import colours
-from ..origami.bezier import normalised
-from ..origami.creases import BODIES, PANELS, kind_of
+from ..origami.curves.bezier import normalised
 from .rendering import camera
 from .shading import Solid
 
-LINK = colours.MUTED
-STRIP = colours.CURVE
-MATERIALS = {
+# What a legend says of kinds of bodies.
+LEGEND = {
     "contact": "contact panels and blocks",
     "border": "border panels",
     "primary": "primary triangles",
     "secondary": "secondary triangles",
     "link": "links of double hinges",
-    "strip": "flexible strips",
+    "flexure": "flexures",
+    "support": "soluble support",
+    "foot": "ties and feet",
+    "joint": "joints of parts",
 }
 
 
-def colour_of(kind):
-    """Colour of a kind of bodies, a key of `MATERIALS`."""
-    return {"link": LINK, "strip": STRIP}.get(kind) or colours.PANELS[kind]
-
-
-def kind_of_body(body):
-    """Key of `MATERIALS` for a `PlacedMesh`; None for a plate of a test print."""
-    if body.material != "rigid":
-        return "strip"
-    names = [name for _, name in body.members if name in BODIES]
-    if not names:
-        return None
-    return kind_of(names[0]) if names[0] in PANELS else "link"
-
-
 def kinds_of(bodies):
-    """Keys of `MATERIALS` that there are, in its order."""
-    found = {kind_of_body(body) for body in bodies}
-    return [kind for kind in MATERIALS if kind in found]
+    """Keys of `LEGEND` that there are, in its order; blocks are told as contact panels."""
+    found = {"contact" if body.kind == "block" else body.kind for body in bodies}
+    return [kind for kind in LEGEND if kind in found]
 
 
 def solids(bodies, motions=None):
@@ -47,11 +33,19 @@ def solids(bodies, motions=None):
     if motions is None:
         motions = [np.eye(4)] * len(bodies)
     found = []
-    for k, (body, motion) in enumerate(zip(bodies, motions, strict=True)):
+    for body, motion in zip(bodies, motions, strict=True):
         if motion is not None:
-            kind = kind_of_body(body) or list(colours.PANELS)[k % len(colours.PANELS)]
             corners = body.mesh.moved(np.asarray(motion) @ body.place).corners
-            found.append(Solid(corners.astype(np.float32), colour_of(kind)))
+            found.append(Solid(corners.astype(np.float32), colours.of(body.kind)))
+    return found
+
+
+def sheets(polygons, fills):
+    """`Solid` of every flat polygon (k, 3), which is seen from both sides, in its colour."""
+    found = []
+    for polygon, fill in zip(polygons, fills, strict=True):
+        fan = np.array([polygon[[0, k, k + 1]] for k in range(1, len(polygon) - 1)])
+        found.append(Solid(np.concatenate([fan, fan[:, ::-1]]).astype(np.float32), fill))
     return found
 
 

@@ -7,11 +7,12 @@ import numpy as np
 
 from .. import colours
 from ..origami import rigid
-from ..origami.bezier import normalised
-from ..origami.creases import INDEX, LAYER_HEIGHT_IN_PITCHES, PANELS, kind_of, layer_of
-from ..origami.deployment import contact_frame
+from ..origami.curves.bezier import normalised
+from ..origami.units.creases import INDEX, LAYER_HEIGHT_IN_PITCHES, PANELS, kind_of, layer_of
+from ..origami.units.deployment import contact_frame
 from . import rendering, stage
 from .page import DPI, blank_axes, figure, halo, round_length, scale_bar
+from .shading import render_solids
 
 SHEET_PITCH = 1.8  # mm between the sheets of the flat state as drawn; the default hinges' pitch
 KINDS = {
@@ -51,8 +52,8 @@ def both_states(path, tube, sheet_pitch=SHEET_PITCH):
         x = 0.0
         names = ("flat-folded", "deployed")
         for name, view, (polygons, kinds), size in zip(names, views, scenes, sizes, strict=True):
-            fills = [colours.PANELS[kind] for kind in kinds]
-            image, box = rendering.render(view, polygons, fills, per_mm * DPI)
+            sheets = stage.sheets(polygons, [colours.of(kind) for kind in kinds])
+            image, box = render_solids(view, sheets, per_mm * DPI)
             place = (x, x + box[1] - box[0], 0, box[3] - box[2])
             axes.imshow(image, extent=place, interpolation="antialiased", zorder=2)
             _caption(axes, x + size[0] / 2, name, polygons, tube, sheet_pitch)

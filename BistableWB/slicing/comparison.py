@@ -11,18 +11,19 @@ from itertools import repeat
 
 import numpy as np
 
-from ..checking import printer_of
-from ..origami.hinge_parameters import ROTATIONAL
-from ..solids.mesh import joined
+from ..checks.printer import printer_of
+from ..origami.errors import Phrase, Refusal, phrase
+from ..origami.meshes import joined
+from ..origami.progress import as_progress
+from ..solids.matrices import array_of
 from ..solids.tessellation import placed_meshes
 from . import orientations
 from .contact import contacts
-from .profile import line_width
+from .profile import for_process, line_width
 from .toolpaths import contact_findings, sliced
 
 TRIES = 4  # deployed orientations that are sliced: those that look quickest
-_NAMES = {"Flat": "flat-folded", "OnEdge": "flat-folded, on edge"}
-DEPLOYED = "deployed"
+_NAMES = {"Flat": phrase("flat-folded"), "OnEdge": phrase("flat-folded, on edge")}
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Sliced:
     ``fits``: whether it goes into the printer.
     """
 
-    name: str
+    name: Phrase | str
     seconds: float
     model: float
     support: float
@@ -70,29 +71,33 @@ class Comparison:
         return [self.flat, self.other, *self.deployed]
 
 
-def compare(hinge_set, progress=lambda text: None, printer=None, tries=TRIES):
+def compare(hinge_set, progress=None, printer=None, tries=TRIES):
     """`Comparison` of a recomputed HingeSet: a minute for a unit, many minutes for a tube.
 
-    ``progress(text)`` is called several times a second and may raise to cancel: the slicer is ended
-    then. ``printer``: `checks.printer.Printer`, that of the object if not given; ``tries``: how
-    many deployed orientations are sliced. `slicer.NoSlicer` where there is none; ValueError where
-    hinges are flexible or the slicer refuses.
+    ``progress``: a `Progress` (or a function that takes a text), asked several times a second;
+    where it raises `Cancelled`, the slicer is ended. ``printer``: `checks.printer.Printer`, that
+    of the object if not given; ``tries``: how many deployed orientations are sliced.
+    `prusaslicer.NoSlicer` where there is none; ValueError where hinges are flexible or the slicer
+    refuses.
     """
+    progress = as_progress(progress)
     model, printer = hinge_set.Proxy.model(hinge_set), printer or printer_of(hinge_set)
-    if model.parameters.hinge_type != ROTATIONAL:
-        raise ValueError(
-            f"HingeType of {hinge_set.Label} is Flexible: strips that bend have no deployed solid "
-            "to slice, set HingeType to Rotational."
+    if not model.parameters.has_knuckles:
+        raise Refusal(
+            "{HingeType} of {label} is Flexible: strips that bend have no deployed solid to "
+            "slice, set {HingeType} to Rotational.",
+            parameter="HingeType",
+            label=hinge_set.Label,
         )
     bodies = placed_meshes(model.bodies)
-    ways = {way: _moved(bodies, repeat(_matrix(model.standing(way)))) for way in _NAMES}
+    ways = {way: _moved(bodies, repeat(array_of(model.standing(way)))) for way in _NAMES}
     chosen = ways.pop(hinge_set.Orientation)
-    flat, lines = _sliced(_NAMES[hinge_set.Orientation], chosen, printer, progress)
-    found = contacts(
-        lines, chosen, printer.layer_height, lambda: progress("toolpaths of bodies that move")
-    )
+    own = for_process(model.parameters.process)
+    flat, lines = sliced_as(_NAMES[hinge_set.Orientation], chosen, printer, progress, own)
+    told = progress.named("toolpaths of bodies that move")
+    found = contacts(lines, chosen, printer.layer_height, told)
     ((way, meshes),) = ways.items()
-    other, _ = _sliced(_NAMES[way], meshes, printer, progress)
+    other, _ = sliced_as(_NAMES[way], meshes, printer, progress)
     opened = _moved(bodies, model.motions(1))
     return Comparison(
         flat,
@@ -110,14 +115,17 @@ def _deployed(opened, printer, progress, tries):
         move = np.eye(4)
         move[:3, :3] = turn
         meshes = [mesh.moved(move) for mesh in opened]
-        made.append(_sliced(f"{DEPLOYED}, way {k}", meshes, printer, progress)[0])
+        name = phrase("deployed, way {number}", number=k)
+        made.append(sliced_as(name, meshes, printer, progress)[0])
     made.sort(key=lambda one: one.seconds)
-    return tuple(replace(one, name=f"{DEPLOYED} {k}") for k, one in enumerate(made, 1))
+    names = (phrase("deployed {number}", number=k) for k in range(1, len(made) + 1))
+    return tuple(replace(one, name=name) for one, name in zip(made, names, strict=True))
 
 
-def _sliced(name, meshes, printer, progress):
-    """(`Sliced`, `gcode.Lines`) of meshes as they stand."""
-    lines, estimate = sliced(meshes, printer, lambda: progress(f"slicing {name}"))
+def sliced_as(name, meshes, printer, progress, extra=None):
+    """(`Sliced`, `gcode.Lines`) of meshes as they stand, with ``extra`` settings of the slicer."""
+    told = progress.named(f"slicing {name}")
+    lines, estimate = sliced(meshes, printer, told, (extra or {}).items())
     width, depth = np.ptp(lines.ends.reshape(-1, 2), axis=0) + line_width(printer)
     size = float(width), float(depth), float(np.ptp(lines.top)) + printer.layer_height
     model, support = (*estimate.volumes, 0.0)[:2]
@@ -129,11 +137,6 @@ def _sliced(name, meshes, printer, progress):
 def _moved(bodies, motions):
     """Meshes of ``bodies``, each carried by its motion (4, 4)."""
     return [body.mesh.moved(m @ body.place) for body, m in zip(bodies, motions, strict=False)]
-
-
-def _matrix(placement):
-    """Matrix (4, 4) of a FreeCAD placement."""
-    return np.array(placement.toMatrix().A).reshape(4, 4)
 
 
 def _fits(size, room):

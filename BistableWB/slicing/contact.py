@@ -20,7 +20,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .painting import CELL, Layers, near
+from ..origami import progress as progresses
+from .occupancy import CELL, Layers, near
 from .sections import NOBODY
 
 # Neighbours on the grid and what a border between them counts for: Crofton's formula for four
@@ -47,18 +48,18 @@ class Contact(NamedTuple):
         return self.beside + self.above
 
 
-def contacts(lines, meshes, layer_height, progress=lambda: None):
+def contacts(lines, meshes, layer_height, progress=progresses.NOBODY):
     """`Contact` of every two bodies that touch, the largest first.
 
     ``lines``: `gcode.Lines` in layers of one height (mm); ``meshes``: `Mesh` of every body, where
-    it was sliced. ``progress()`` is called at every layer and may raise to cancel. ValueError where
+    it was sliced. ``progress`` steps at every layer. ValueError where
     lines lie in none of the bodies: they were made of something else.
     """
     layers = Layers(lines.of_model(), meshes, layer_height)
     tally = {}
     before, this, below = None, layers.make(0), None
     for k in range(len(layers)):
-        progress()
+        progress.step("", k / len(layers))
         after = layers.make(k + 1)
         image = this.painted(near([layer for layer in (before, this, after) if layer]))
         here = _counted(image, below, layers.grid.columns, layer_height)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The settings with which prints are sliced and compared."""
 
+from ..origami.hinges.processes import BY_POWDER, BY_STANDOFFS, BY_TIES, PROCESSES
+from ..origami.hinges.standoff_inputs import LINE_IN_NOZZLES
+
 _BED = 2000  # mm: whether a print fits the real bed is told apart
-_LINE_IN_NOZZLES = 1.125  # usual width of a line: 0.45 mm from a nozzle of 0.4 mm
 
 # A common printer that moves along three axes, with PLA and a second nozzle for soluble support:
 # the speeds (mm/s) and accelerations (mm/s²) of Prusa's own profile for a good surface.
@@ -62,6 +64,27 @@ _SETTINGS = {
     "machine_max_jerk_x": "8,8",
     "machine_max_jerk_y": "8,8",
 }
+# A printer that is pushed: speeds and accelerations of usual fast profiles, twice to three times as
+# high.
+_FAST = {
+    "perimeter_speed": 100,
+    "external_perimeter_speed": 60,
+    "small_perimeter_speed": 50,
+    "infill_speed": 150,
+    "solid_infill_speed": 150,
+    "top_solid_infill_speed": 80,
+    "gap_fill_speed": 60,
+    "bridge_speed": 40,
+    "first_layer_speed": 30,
+    "default_acceleration": 3000,
+    "perimeter_acceleration": 2500,
+    "infill_acceleration": 3000,
+    "machine_max_acceleration_x": "3000,3000",
+    "machine_max_acceleration_y": "3000,3000",
+    "machine_max_acceleration_extruding": "3000,3000",
+    "machine_max_acceleration_travel": "3000,3000",
+}
+SPEEDS = {"quality": {}, "fast": _FAST}  # the settings of a slower and of a faster printer
 # The middle of the bed (x, y), mm: prints are sliced there.
 MIDDLE = _BED / 2, _BED / 2
 
@@ -85,6 +108,17 @@ def settings(printer, extra=()):
     return "".join(f"{name} = {value}\n" for name, value in chosen.items())
 
 
+def speeds(name: str) -> dict:
+    """Settings of a slower or a faster printer, one of `SPEEDS`."""
+    return {**_SETTINGS, **SPEEDS[name]}
+
+
+def for_process(name: str) -> dict:
+    """Settings, in place of ours, of a process: whether the slicer adds support."""
+    alone = PROCESSES[name].held in (BY_STANDOFFS, BY_TIES, BY_POWDER)
+    return {"support_material": 0} if alone else {}
+
+
 def line_width(printer):
     """Width of the lines that a `checks.printer.Printer` lays, mm."""
-    return _LINE_IN_NOZZLES * printer.nozzle_diameter
+    return LINE_IN_NOZZLES * printer.nozzle_diameter

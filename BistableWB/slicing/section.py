@@ -3,24 +3,30 @@
 
 from typing import NamedTuple
 
+from ..origami.errors import Phrase, joined, phrase
+
 _SAME = 0.02  # share below which two numbers count as equal
 _COLUMNS = (
-    "printed",
-    "time",
-    "model",
-    "support",
-    "on the bed",
-    "height",
-    "layers",
-    "material changes",
+    phrase("printed"),
+    phrase("time"),
+    phrase("model"),
+    phrase("support"),
+    phrase("on the bed"),
+    phrase("height"),
+    phrase("layers"),
+    phrase("material changes"),
+)
+
+_RECKONED = phrase(
+    "As PrusaSlicer reckons; soluble support, changes of the material take no time here."
 )
 
 
 class Section(NamedTuple):
-    """A table with a title and a text above it: ``columns`` and ``rows`` of text."""
+    """A table with a title and a text above it: ``columns`` and ``rows`` of texts and phrases."""
 
-    title: str
-    text: str
+    title: Phrase
+    text: Phrase
     columns: tuple
     rows: list
 
@@ -28,31 +34,54 @@ class Section(NamedTuple):
 def section(comparison):
     """`Section` of a `comparison.Comparison`."""
     rows = [_row(sliced) for sliced in comparison.prints]
-    return Section("Flat-folded or deployed", verdict(comparison), _COLUMNS, rows)
+    return Section(phrase("Flat-folded or deployed"), verdict(comparison), _COLUMNS, rows)
 
 
 def verdict(comparison):
     """Sentences: in what the flat-folded print beats the quickest deployed one, and in what not."""
     flat, best = comparison.flat, comparison.deployed[0]
+    told = [_against(comparison)]
+    if not best.fits:
+        told.append(phrase("Deployed it does not fit the printer."))
+    if not flat.fits:
+        told.append(phrase("The {name} print does not fit the printer.", name=flat.name))
+    told.append(_RECKONED)
+    return joined(told, " ")
+
+
+def _against(comparison):
+    flat, best = comparison.flat, comparison.deployed[0]
     wins, losses = [], []
-    for name, value, shown in _COMPARED:
+    for compared, value, shown in _COMPARED:
         ours, theirs = value(flat), value(best)
         if abs(ours - theirs) > _SAME * max(ours, theirs):
             side = wins if ours < theirs else losses
-            side.append(f"{name} ({shown(ours)} against {shown(theirs)})")
+            side.append(
+                phrase("{compared} ({ours} against {theirs})", compared=compared,
+                       ours=shown(ours), theirs=shown(theirs))
+            )  # fmt: skip
     ways = len(comparison.deployed)
-    against = "the deployed one" if ways == 1 else f"the quickest of {ways} deployed ones"
-    text = f"Against {against}, the {flat.name} print needs"
-    parts = [f"{word} {_listed(side)}" for word, side in (("less", wins), ("more", losses)) if side]
-    text = f"{text} {', and '.join(parts) or 'the same'}."
-    if not best.fits:
-        text += " Deployed it does not fit the printer."
-    if not flat.fits:
-        text += f" The {flat.name} print does not fit the printer."
-    return (
-        f"{text} As PrusaSlicer reckons; soluble support, changes of the material take no time "
-        "here."
+    other = (
+        phrase("the deployed one")
+        if ways == 1
+        else phrase("the quickest of {ways} deployed ones", ways=ways)
     )
+    return phrase(
+        "Against {other}, the {name} print needs {needs}.",
+        other=other,
+        name=flat.name,
+        needs=_needs(_listed(wins), _listed(losses)),
+    )
+
+
+def _needs(less, more):
+    if not less and not more:
+        return phrase("the same")
+    if not more:
+        return phrase("less {less}", less=less)
+    if not less:
+        return phrase("more {more}", more=more)
+    return phrase("less {less}, and more {more}", less=less, more=more)
 
 
 def duration(seconds):
@@ -68,18 +97,18 @@ def volume(cubic_millimetres):
 
 # What is compared in words: name, function of a `comparison.Sliced`, function that shows its value.
 _COMPARED = (
-    ("time", lambda p: p.seconds, duration),
-    ("model", lambda p: p.model, volume),
-    ("support", lambda p: p.support, volume),
-    ("area on the bed", lambda p: p.footprint, lambda a: f"{a / 100:.0f} cm²"),
-    ("height", lambda p: p.size[2], lambda h: f"{h:.0f} mm"),
+    (phrase("time"), lambda p: p.seconds, duration),
+    (phrase("model"), lambda p: p.model, volume),
+    (phrase("support"), lambda p: p.support, volume),
+    (phrase("area on the bed"), lambda p: p.footprint, lambda a: f"{a / 100:.0f} cm²"),
+    (phrase("height"), lambda p: p.size[2], lambda h: f"{h:.0f} mm"),
 )
 
 
 def _row(sliced):
     width, depth, height = sliced.size
     return [
-        sliced.name if sliced.fits else f"{sliced.name} (too large)",
+        sliced.name if sliced.fits else phrase("{name} (too large)", name=sliced.name),
         duration(sliced.seconds),
         volume(sliced.model),
         volume(sliced.support),
@@ -91,4 +120,6 @@ def _row(sliced):
 
 
 def _listed(items):
-    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
+    if len(items) < 2:
+        return items[0] if items else None
+    return phrase("{several} and {last}", several=joined(items[:-1], ", "), last=items[-1])

@@ -3,35 +3,44 @@
 
 import numpy as np
 
-from ..checks import ERROR, NOTE, WARNING, Finding
 from ..checks.layering import CONTACT_LIMIT, WELDED
 from ..checks.printing import cure_for
 from ..exporters import stl
-from . import profile, slicer
+from ..origami.errors import ERROR, NOTE, WARNING, Finding, phrase
+from ..origami.progress import NOBODY
+from ..programs import prusaslicer
+from . import profile
 from .contact import contacts
 
 SECONDS_A_TRIANGLE = 0.0002  # that slicing and looking take, about
 
 
-def check_toolpaths(bodies, parameters, printer, progress=lambda: None):
+def check_toolpaths(bodies, parameters, printer, progress=NOBODY):
     """Findings on the sliced print: joints whose bodies touch; else one note with the largest.
 
     ``bodies``: `PlacedMesh` list of the print as it stands on the bed; ``parameters``:
-    `HingeParameters`; ``printer``: `checks.printer.Printer`. ``progress()`` is called several times
-    a second and may raise to cancel: the slicer is ended then. Without PrusaSlicer the one
-    finding says so.
+    `HingeParameters`; ``printer``: `checks.printer.Printer`. Where ``progress``, which is
+    asked several times a second, raises `Cancelled`, the slicer is ended. Without PrusaSlicer the
+    one finding says so.
     """
     meshes = [body.placed for body in bodies]
     try:
-        slicer.find()
-    except slicer.NoSlicer as missing:
-        return [Finding(WARNING, "slicer", (), None, None, str(missing))]
-    lines, _ = sliced(meshes, printer, progress)
+        prusaslicer.find()
+    except prusaslicer.NoSlicer as missing:
+        return [
+            Finding(
+                severity=WARNING,
+                code="slicer",
+                message=missing.message,
+            )
+        ]
+    extra = profile.for_process(parameters.process)
+    lines, _ = sliced(meshes, printer, progress, extra.items())
     found = contacts(lines, meshes, printer.layer_height, progress)
     return contact_findings(found, bodies, parameters)
 
 
-def sliced(meshes, printer, progress=lambda: None, extra=()):
+def sliced(meshes, printer, progress=NOBODY, extra=()):
     """`gcode.Lines`, in the frame of the ``meshes``, and the slicer's `gcode.Estimate`.
 
     ``extra``: (name, value) pairs of the slicer's settings that replace ours.
@@ -41,7 +50,7 @@ def sliced(meshes, printer, progress=lambda: None, extra=()):
     shift = np.array([*profile.MIDDLE, 0.0]) - [*(low + high)[:2] / 2, low[2]]
     move = np.eye(4)
     move[:3, 3] = shift
-    lines, estimate = slicer.slice_stl(
+    lines, estimate = prusaslicer.slice_stl(
         lambda path: stl.write_meshes([mesh.moved(move) for mesh in meshes], path),
         profile.settings(printer, extra),
         progress,
@@ -58,7 +67,10 @@ def contact_findings(found, bodies, parameters, limit=CONTACT_LIMIT):
     rigid = [one for one in found if all(bodies[k].material == "rigid" for k in one.bodies)]
     welded = [one for one in rigid if one.area >= WELDED]
     stiff = [one for one in rigid if limit < one.area < WELDED]
-    kinds = (ERROR, welded, "are welded"), (WARNING, stiff, "might not come free")
+    kinds = (
+        (ERROR, welded, phrase("are welded")),
+        (WARNING, stiff, phrase("might not come free")),
+    )
     told = [
         _finding(severity, several, state, bodies, parameters, limit)
         for severity, several, state in kinds
@@ -67,9 +79,22 @@ def contact_findings(found, bodies, parameters, limit=CONTACT_LIMIT):
     if told:
         return told
     largest = max((one.area for one in rigid), default=0.0)
-    text = f"touch by at most {largest:.2f} mm²" if largest else "do not touch anywhere"
-    message = f"On the toolpaths of the slicer the {len(bodies)} bodies {text}."
-    return [Finding(NOTE, "contact", (), largest, limit, message)]
+    message = phrase(
+        "On the toolpaths of the slicer the {count} bodies {touch}.",
+        count=len(bodies),
+        touch=phrase(
+            "touch by at most {area:.2f} mm²" if largest else "do not touch anywhere", area=largest
+        ),
+    )
+    return [
+        Finding(
+            severity=NOTE,
+            code="contact",
+            number=largest,
+            limit=limit,
+            message=message,
+        )
+    ]
 
 
 def _finding(severity, several, state, bodies, parameters, limit):
@@ -77,10 +102,26 @@ def _finding(severity, several, state, bodies, parameters, limit):
     pair = [bodies[k] for k in worst.bodies]
     one, other = (body.name for body in pair)
     more = len(several) - 1
-    others = f" (and {more} other pair{'s' * (more > 1)} less)" if more else ""
+    others = phrase(
+        " (and {count} other pairs less)" if more > 1 else " (and {count} other pair less)",
+        count=more,
+    )
     return Finding(
-        severity, "contact", (one, other), worst.area, limit,
-        f"{one} and {other} touch by {worst.area:.2f} mm² on the toolpaths{others}, more than "
-        f"{limit:g} mm², and {state}.",
-        cure_for(pair, parameters), tuple(contact.point for contact in several),
-    )  # fmt: skip
+        severity=severity,
+        code="contact",
+        bodies=(one, other),
+        number=worst.area,
+        limit=limit,
+        message=phrase(
+            "{one} and {other} touch by {area:.2f} mm² on the toolpaths{others}, more "
+            "than {limit:g} mm², and {state}.",
+            one=one,
+            other=other,
+            area=worst.area,
+            others=others if more else "",
+            limit=limit,
+            state=state,
+        ),
+        cure=cure_for(pair, parameters),
+        points=tuple(contact.point for contact in several),
+    )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Part solids of hinged panels, links, whole tubes and test prints. No document objects.
+"""The kernel's solids of bodies that `origami.hinges` draws as boundaries. No document objects.
 
-Built without booleans: the faces of a body are made directly and sewn, and its volume is compared
-with the one that the layout predicts (``hinges.md`` 7: ``isValid()`` is not enough).
+Nothing is sewn, and no boolean operation is run: the kernel reads a boundary as text, and meshes
+are made from the boundary itself.
 """

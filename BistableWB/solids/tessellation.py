@@ -1,19 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shapes to triangle meshes. Bodies that are moved or mirrored copies are meshed once."""
+"""Shapes to triangle meshes. Bodies that are moved or mirrored copies are meshed once.
 
-from dataclasses import dataclass
+Our own solids are meshed from their boundaries; the kernel meshes any other shape.
+"""
+
+from collections.abc import Sequence
 from functools import lru_cache
 from math import pi
+from typing import TYPE_CHECKING, Any
 
 import MeshPart
 import numpy as np
 import Part
+from numpy.typing import NDArray
 
-from .mesh import Mesh, PlacedMesh, joined, unpaired_edges
+from ..origami.hinges.meshing import CHORD_ERROR, Meshed
+from ..origami.hinges.meshing import mesh_of as mesh_of_boundary
+from ..origami.meshes import Mesh, PlacedMesh, joined, unpaired_edges
+from .matrices import array_of
+from .shapes import boundary_of
 
-# The kernel makes edges twice as fine as it is asked: chords of round edges stay within 0.01 mm,
-# half of what the checks allow a clearance to lose, and a circle has at least eight of them.
-LINEAR_DEFLECTION = 0.02  # mm
+if TYPE_CHECKING:
+    from .tube import Body
+
+# Chords of round edges stay within half of what the checks allow a clearance to lose, and a circle
+# has at least eight of them.
+LINEAR_DEFLECTION = CHORD_ERROR  # mm
 ANGULAR_DEFLECTION = 1.6  # radians
 VIEW = 0.5, 1.6  # coarse: it is drawn many times a second
 _SAME = 1e5  # corners are the same within a part of a mm
@@ -23,53 +35,46 @@ _MIRRORS = [np.diag([1.0, up, along]) for up in (1.0, -1.0) for along in (1.0, -
 _TURN, _ALIKE = 2 * pi, 1e-4  # angles (radians) that are the same
 
 
-@dataclass(frozen=True, eq=False)
-class Meshed:
-    """``mesh``, and the number (t,) of the face of the shape that each of its triangles lies on.
-
-    ``cones``: numbers of the faces that are cones.
-    """
-
-    mesh: Mesh
-    faces: np.ndarray
-    cones: np.ndarray
-
-
 class Tessellator:
     """Meshes shapes; those that it has met, also moved or mirrored, come from its memory.
 
     ``linear`` (mm) and ``angular`` (radians) deflection bound how far flats lie from round faces.
     """
 
-    def __init__(self, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
+    def __init__(
+        self, linear: float = LINEAR_DEFLECTION, angular: float = ANGULAR_DEFLECTION
+    ) -> None:
         self.linear, self.angular = linear, angular
         self.forget()
 
-    def forget(self):
+    def forget(self) -> None:
         """Empty the memory."""
-        self._known = {}  # fingerprint -> (`Meshed`, middle, mirror)
-        self._bodies = {}  # number of faces -> [(body, its `Meshed`, matrix)]
+        self._known: dict[Any, Any] = {}  # fingerprint -> (`Meshed`, middle, mirror)
+        self._bodies: dict[Any, Any] = {}  # number of faces -> [(body, its `Meshed`, matrix)]
         self._count = 0
 
-    def mesh(self, shape):
+    def mesh(self, shape: Part.Shape) -> Mesh:
         """Closed `Mesh` of a solid in the frame in which the shape stands."""
         original, matrix = self.original(shape)
         return original.moved(matrix)
 
-    def original(self, shape):
+    def original(self, shape: Part.Shape) -> tuple[Mesh, NDArray]:
         """The `Mesh` (shared by copies) whose image this shape's is, and the matrix (4, 4)."""
         meshed, matrix = self.meshed(shape)
         return meshed.mesh, matrix
 
-    def meshed(self, shape):
+    def meshed(self, shape: Part.Shape) -> tuple[Meshed, NDArray]:
         """`original` with the faces that the triangles lie on: a `Meshed` and the matrix."""
-        place = np.array(shape.Placement.toMatrix().A).reshape(4, 4)
+        made = boundary_of(shape)
+        if made is not None:
+            return mesh_of_boundary(made[0], self.linear), made[1]
+        place = array_of(shape.Placement)
         own = Part.Shape(shape)
         own.Placement = type(shape.Placement)()
         found, between = self._of(own)
         return found, place @ between
 
-    def _of(self, own):
+    def _of(self, own: Part.Shape) -> tuple[Meshed, NDArray]:
         """(`Meshed`, matrix) of a body without its placement; one that was here is found fast."""
         alike = self._bodies.setdefault(own.countElement("Face"), [])
         for body, found, matrix in alike:
@@ -82,7 +87,7 @@ class Tessellator:
         alike.append((own, *self._find(own)))
         return alike[-1][1:]
 
-    def _find(self, own):
+    def _find(self, own: Part.Shape) -> tuple[Meshed, NDArray]:
         key, middle, mirror = _fingerprint(own)
         if key not in self._known:
             self._known[key] = meshed_of(own, self.linear, self.angular), middle, mirror
@@ -94,16 +99,18 @@ class Tessellator:
 
 
 @lru_cache(maxsize=3)
-def _shared(linear, angular):
+def _shared(linear: float, angular: float) -> Tessellator:
     return Tessellator(linear, angular)
 
 
-def shared(linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
+def shared(linear: float = LINEAR_DEFLECTION, angular: float = ANGULAR_DEFLECTION) -> Tessellator:
     """The `Tessellator` that view, checks and files have in common: a body is meshed once."""
     return _shared(linear, angular)
 
 
-def placed_meshes(bodies, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
+def placed_meshes(
+    bodies: "Sequence[Body]", linear: float = LINEAR_DEFLECTION, angular: float = ANGULAR_DEFLECTION
+) -> list[PlacedMesh]:
     """`PlacedMesh` of every body, of which only name and shape are needed."""
     tessellator = shared(linear, angular)
     return [
@@ -112,18 +119,25 @@ def placed_meshes(bodies, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
             *tessellator.original(body.shape),
             getattr(body, "unit", 0),
             getattr(body, "members", ()),
-            getattr(body, "material", "rigid"),
+            getattr(body, "kind", ""),
         )
         for body in bodies
     ]
 
 
-def mesh_of(shape, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
+def mesh_of(
+    shape: Part.Shape, linear: float = LINEAR_DEFLECTION, angular: float = ANGULAR_DEFLECTION
+) -> Mesh:
     """Closed `Mesh` of one shape, deflections in mm and radians: see `meshed_of`."""
+    made = boundary_of(shape)
+    if made is not None:
+        return mesh_of_boundary(made[0], linear).mesh.moved(made[1])
     return meshed_of(shape, linear, angular).mesh
 
 
-def meshed_of(shape, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
+def meshed_of(
+    shape: Part.Shape, linear: float = LINEAR_DEFLECTION, angular: float = ANGULAR_DEFLECTION
+) -> Meshed:
     """`Meshed` of one shape, deflections in mm and radians.
 
     Solids of a compound stay apart also where they touch. The kernel covers a cone with hundreds of
@@ -151,7 +165,7 @@ def meshed_of(shape, linear=LINEAR_DEFLECTION, angular=ANGULAR_DEFLECTION):
     return Meshed(*_from_kernel(shape, linear, angular), cones)
 
 
-def _from_kernel(shape, linear, angular):
+def _from_kernel(shape: Part.Shape, linear: float, angular: float) -> tuple[Mesh, NDArray]:
     """`Mesh` and the face (t,) that each of its triangles lies on."""
     mesh = MeshPart.meshFromShape(
         Shape=shape, LinearDeflection=linear, AngularDeflection=angular, Segments=True
@@ -165,15 +179,15 @@ def _from_kernel(shape, linear, angular):
     return Mesh(vertices, np.array(triangles, int).reshape(-1, 3)), faces
 
 
-def _fingerprint(shape):
+def _fingerprint(shape: Part.Shape) -> tuple[tuple[int, int, bytes], NDArray, NDArray]:
     """(key, middle, mirror) of a shape in its own frame; copies have the same key.
 
     The copy is the image of the points that the key stands for under mirror and shift to middle.
     """
-    points = [tuple(v.Point) for v in shape.Vertexes]
-    corners = len(points)
-    points += [tuple(e.valueAt((e.FirstParameter + e.LastParameter) / 2)) for e in shape.Edges]
-    points = np.array(points)
+    places = [tuple(v.Point) for v in shape.Vertexes]
+    corners = len(places)
+    places += [tuple(e.valueAt((e.FirstParameter + e.LastParameter) / 2)) for e in shape.Edges]
+    points = np.array(places)
     middle = (points[:corners].min(0) + points[:corners].max(0)) / 2
     candidates = []
     for mirror in _MIRRORS:
@@ -183,7 +197,7 @@ def _fingerprint(shape):
     return (len(shape.Faces), len(shape.Edges), code), middle, mirror
 
 
-def _with_strips(mesh, cones):
+def _with_strips(mesh: Mesh, cones: Sequence[Part.Shape]) -> tuple[Mesh, NDArray] | None:
     """The mesh with a strip of triangles for each cone between its rims, and the strips' cones.
 
     The latter (t,) are numbers in ``cones``, for the triangles added. None where rims do not fit.
@@ -199,7 +213,7 @@ def _with_strips(mesh, cones):
     return None if len(unpaired_edges(whole.triangles)) else (whole, which)
 
 
-def _rims(mesh):
+def _rims(mesh: Mesh) -> list[NDArray]:
     """Open borders of a mesh as loops (n,) of vertices, each along its edges."""
     following = dict(unpaired_edges(mesh.triangles).tolist())
     loops = []
@@ -213,7 +227,9 @@ def _rims(mesh):
     return loops
 
 
-def _rims_of(cones, rims, vertices):
+def _rims_of(
+    cones: Sequence[Part.Shape], rims: Sequence[NDArray], vertices: NDArray
+) -> NDArray | None:
     """Numbers (c, 2) of the two rims of every cone; None where one has not two."""
     circles = [_circles(face) for face in cones]
     if not rims or any(len(found) != 2 for found in circles):
@@ -227,9 +243,9 @@ def _rims_of(cones, rims, vertices):
     return best.reshape(-1, 2)
 
 
-def _circles(face):
+def _circles(face: Part.Shape) -> list[tuple[float, ...]]:
     """(x, y, z, radius) of the rims of a cone, each rim once (it may be made of arcs)."""
-    found = {}
+    found: dict[Any, Any] = {}
     for edge in face.Edges:
         curve = edge.Curve
         if isinstance(curve, Part.Circle):
@@ -241,7 +257,7 @@ def _circles(face):
 class _Rims:
     """Loops of vertices, joined: ``points`` their numbers (p,), ``loop`` which loop each is in."""
 
-    def __init__(self, loops, vertices):
+    def __init__(self, loops: Sequence[NDArray], vertices: NDArray) -> None:
         counts = np.array([len(loop) for loop in loops])
         self.points, self.loop = np.concatenate(loops), np.repeat(np.arange(len(loops)), counts)
         self.start = np.cumsum(counts) - counts
@@ -252,14 +268,14 @@ class _Rims:
         self.arms = places - self.middles[self.loop]
         self.radii = np.maximum.reduceat(np.linalg.norm(self.arms, axis=1), self.start)
 
-    def frames(self):
+    def frames(self) -> tuple[NDArray, NDArray]:
         """Two directions (loops, 3) in the plane of every loop, the second a quarter turn on."""
         axes = np.add.reduceat(np.cross(self.arms, self.arms[self.next]), self.start)
         axes /= np.linalg.norm(axes, axis=1, keepdims=True)
         first = self.arms[self.start]
         return first, np.cross(axes, first)
 
-    def sorted_by_turn(self, frames):
+    def sorted_by_turn(self, frames: Sequence[NDArray]) -> tuple[NDArray, NDArray]:
         """Vertices (p,) of every loop by their angle in its frame, and where the next one stands.
 
         The latter (p,) is in radians, three turns further on for every loop.
@@ -272,7 +288,7 @@ class _Rims:
         return self.points[order], ends + 3 * _TURN * self.loop
 
 
-def _strips(first, second):
+def _strips(first: _Rims, second: _Rims) -> tuple[NDArray, NDArray]:
     """Triangles between coaxial `_Rims` that run the same way round, and their pair's number.
 
     At every point of a rim, its edge up to there is joined to where the other rim has got to.

@@ -3,15 +3,10 @@
 
 import importlib
 
-# Type name -> (module, class). Any other type of ours gets the plain panel.
-PANELS = {
-    "Bistable::Curve": ("curve", "CurvePanel"),
-    "Bistable::HingeSet": ("base", "HeavyPanel"),
-}
-_PLAIN = ("base", "ObjectPanel")
+from ..objects import TYPES
 
 
 def panel_for(obj):
     """A new panel that edits ``obj``; it opens an undo step."""
-    module, name = PANELS.get(obj.BistableType, _PLAIN)
+    module, name = TYPES[obj.BistableType].panel
     return getattr(importlib.import_module(f"{__name__}.{module}"), name)(obj)

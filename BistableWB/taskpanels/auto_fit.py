@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of Auto-fit: wishes, a search beside the window, its proposals, one of them applied."""
+"""The panel of Auto-fit: requirements, a search beside the window, proposals, one applied."""
 
-import re
-import threading
 from math import degrees
 
 import FreeCAD as App
@@ -10,17 +8,21 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import fitting
-from ..commands.base import Script, by_name
+from ..language.labels import translate, translated
+from ..language.words import in_words
 from ..objects import type_of
-from ..origami import auto_fit as search
-from ..viewproviders.motion import FacesMotion
+from ..origami.errors import Refusal
+from ..origami.fit import search
+from ..recording.script import Script, by_name
+from ..scene.motion import FacesMotion
+from ..scene.stand_in import StandIn
+from .aiming import AimChoice
+from .aside import Aside
 from .base import icon
 from .charts import PointChart
 from .fields import error_colour
-from .instead import Instead
-from .sentences import in_own_language
-from .texts import translate, translated
-from .wishes import Wishes
+from .plots import dock
+from .requirements import Requirements
 
 TRIANGLES, UNIT, HINGES = (
     f"Bistable::{name}" for name in ("TrianglePlacement", "BistableUnit", "HingeSet")
@@ -31,7 +33,8 @@ _POLL = 80  # ms between looks at the search
 class AutoFitPanel:
     """Proposals for the tube along ``source``, a TrianglePlacement or a Curve.
 
-    The document is changed by OK only, in one undo step that a macro keeps.
+    The document is changed by OK only, in one undo step that a macro keeps. Where a load or a force
+    is to be aimed at, that goes on beside the window then, in the dock of charts.
     """
 
     def __init__(self, source):
@@ -66,6 +69,11 @@ class AutoFitPanel:
         with Script(translate("BistableAutoFit", "Auto-fit")) as script:
             for line in self._lines():
                 script.add(line)
+        if self.aim.asked() and self.hinges:
+            charts = dock()
+            charts.show()
+            charts.show_tube(self.hinges[-1])
+            charts.aim.aim(self.aim.asked())
         return True
 
     def reject(self):
@@ -94,8 +102,11 @@ class AutoFitPanel:
         self.details.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         for part in (self.chart, self.table, self.details):
             column.addWidget(part)
-        self.wishes = Wishes((self.hinges or [None])[-1], (self.units or [None])[-1])
-        column.addWidget(self.wishes.box)
+        self.requirements = Requirements((self.hinges or [None])[-1], (self.units or [None])[-1])
+        column.addWidget(self.requirements.box)
+        self.aim = AimChoice(margin_too=True)
+        self.aim.setEnabled(bool(self.hinges))  # without a print there is no weight and no force
+        column.addWidget(self.aim)
         row = QtGui.QHBoxLayout()
         self.button = QtGui.QPushButton()
         self.button.setObjectName("Search")
@@ -137,17 +148,18 @@ class AutoFitPanel:
             self.start()
 
     def start(self):
-        """Search with the wishes as they are."""
+        """Search with the requirements as they are."""
         self.say("")
-        self.wishes.explain("", "")
+        self.requirements.explain("", "")
         try:
-            wanted = self.wishes.wanted()
+            wanted = self.requirements.wanted()
             wanted.check()
             self.course = fitting.course_of(self.source)
-        except ValueError as error:
-            self._explain(str(error))
+        except Refusal as error:
+            self._explain(error)
             return
-        self._search = _Search(self.course, wanted)
+        course = self.course
+        self._search = Aside(lambda progress: search.auto_fit(course, wanted, progress))
         self.button.setText(translate("BistableAutoFit", "Stop"))
         self.bar.setValue(0)
         self.bar.show()
@@ -164,18 +176,17 @@ class AutoFitPanel:
         self._rest()
         if found.error:
             self._explain(found.error)
-        elif found.fit is None:
+        elif found.result is None:
             self.say(translate("BistableAutoFit", "Stopped."))
         else:
-            self.show_fit(found.fit)
+            self.show_fit(found.result)
 
-    def _explain(self, reason):
-        """Say what is wrong beside the field that it names first, else below."""
+    def _explain(self, refusal):
+        """Say what is wrong beside the field of its parameter, else below."""
         colour = error_colour(self.form)
-        named = re.match(r"\w+", reason)
-        reason = in_own_language(reason)
-        if not (named and self.wishes.explain(reason, colour, named[0])):
-            self.say(reason, colour)
+        text = in_words(refusal)
+        if not self.requirements.explain(text, colour, refusal.parameter):
+            self.say(text, colour)
 
     # proposals
 
@@ -219,7 +230,7 @@ class AutoFitPanel:
         if type_of(self.source) == TRIANGLES:
             hidden.append(self.source)
         view = Gui.getDocument(self.doc.Name).ActiveView
-        self._shown = Instead(view, motion.root, hidden)
+        self._shown = StandIn(view, motion.root, hidden)
 
     def _hide_preview(self):
         if self._shown:
@@ -246,41 +257,6 @@ class AutoFitPanel:
             yield "make.make_solids(hinges)"
 
 
-class _Search:
-    """`origami.auto_fit` in a thread of its own; nothing of Qt or of the document is touched."""
-
-    def __init__(self, course, wanted):
-        self.fraction, self.fit, self.error, self._stopped = 0.0, None, "", False
-        self._thread = threading.Thread(target=self._work, args=(course, wanted), daemon=True)
-        self._thread.start()
-
-    def is_running(self):
-        return self._thread.is_alive()
-
-    def stop(self):
-        """End the search at its next step."""
-        self._stopped = True
-
-    def _work(self, course, wanted):
-        try:
-            self.fit = search.auto_fit(course, wanted, self._progress)
-        except _Stopped:
-            pass
-        except ValueError as error:
-            self.error = str(error)
-        except Exception as error:  # a thread that breaks must not leave the panel waiting
-            self.error = f"{type(error).__name__}: {error}"
-
-    def _progress(self, fraction, text):
-        if self._stopped:
-            raise _Stopped
-        self.fraction = fraction
-
-
-class _Stopped(Exception):
-    """The user does not want to wait any longer."""
-
-
 def _settings(which, inputs):
     return [f"{which}.{name} = {value!r}" for name, value in inputs[which].items()]
 
@@ -292,9 +268,6 @@ def _table():
         "n": translate("BistableAutoFit", "Number of units"),
         translate("BistableAutoFit", "snap"): translate(
             "BistableAutoFit", "Smallest snap margin; below 1 is floppy"
-        ),
-        translate("BistableAutoFit", "strain"): translate(
-            "BistableAutoFit", "Largest strain where it snaps"
         ),
         translate("BistableAutoFit", "print, mm"): translate(
             "BistableAutoFit", "Length, width and height of the flat-folded print"
@@ -335,7 +308,6 @@ def _cells(candidate):
         f"{degrees(candidate.gamma):.0f}°",
         str(candidate.count),
         f"{candidate.margin_min:.2f}",
-        f"{candidate.strain_max:.1%}",
         _size(candidate),
         f"{candidate.deviation:.1f}",
         _rule(candidate),
@@ -356,7 +328,7 @@ def _sentence(candidate):
     text = translate(
         "BistableAutoFit",
         "{n} units, θ {low:.0f}° … {high:.0f}°, ratio rule {rule}: snap margin {margin:.2f} or "
-        "more (weakest: unit {weakest}), strain {strain:.1%} at most; print {size} mm; at most "
+        "more (weakest: unit {weakest}); print {size} mm; at most "
         "{off:.1f} mm off the curve, {covered:.0%} of it followed.",
     )
     return text.format(
@@ -366,7 +338,6 @@ def _sentence(candidate):
         rule=_rule(candidate),
         margin=candidate.margin_min,
         weakest=candidate.weakest,
-        strain=candidate.strain_max,
         size=_size(candidate),
         off=candidate.deviation,
         covered=candidate.coverage,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of an object: its table of properties as grouped fields, live, in one undo step."""
 
-import re
+import contextlib
 import time
 
 import FreeCAD as App
@@ -9,16 +9,18 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import ICONS, make
-from ..objects import type_of
-from ..objects.base import Result
+from ..language.labels import label_of, translate, translated, value_text
+from ..language.words import in_words
+from ..objects import is_heavy, later, type_of
+from ..objects.base import Hidden, Result
+from ..objects.refused import refusal_of, warnings_of
+from ..origami.progress import Cancelled
 from .fields import KINDS, error_colour, wrapped
 from .macro import inputs_of, record_changes
-from .sentences import clean, in_own_language
-from .texts import label_of, translate, translated, value_text
 
-HEAVY = {"Bistable::HingeSet"}  # made on Apply and OK only
 _WAIT = 80  # ms after the last change before the preview follows
-_SLOW = 0.7  # s: a preview that takes longer is switched off
+_SLOW = 0.3  # s: a preview that takes longer waits for a pause of the user
+_LONGEST = 3000  # ms that it waits
 
 
 class ObjectPanel:
@@ -38,6 +40,7 @@ class ObjectPanel:
         self._timer = QtCore.QTimer(self.form)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._preview)
+        self._wait = _WAIT
         self._build()
         self.show_state()
 
@@ -50,6 +53,8 @@ class ObjectPanel:
 
     def accept(self):
         """OK: compute everything, keep it as one undo step. Stay open where it cannot be."""
+        for field in self.fields.values():
+            field.settle()
         record_changes(self.obj, self.inputs_before)
         if not self.recompute_all():
             return False
@@ -65,7 +70,7 @@ class ObjectPanel:
         if self.doc.getObject(self.name):  # else it was made by the command that is cancelled
             self._compute_cheap()
         for other in self.doc.Objects:
-            if type_of(other) in HEAVY and not other.isValid():
+            if is_heavy(other) and not other.isValid():
                 self.doc.recompute([other])  # a refused input left its mark
             elif "Touched" in other.State and other.Name not in self.touched_before:
                 other.purgeTouched()
@@ -81,7 +86,7 @@ class ObjectPanel:
     @property
     def is_heavy(self):
         """Whether the object is made on Apply and OK only."""
-        return type_of(self.obj) in HEAVY
+        return is_heavy(self.obj)
 
     def _build(self):
         column = QtGui.QVBoxLayout(self.form)
@@ -91,6 +96,8 @@ class ObjectPanel:
         self.message.hide()
         self.fields, self.results, self.boxes = {}, {}, {}
         for prop in self.obj.Proxy.PROPERTIES:
+            if isinstance(prop, Hidden):
+                continue
             if isinstance(prop, Result):
                 self._add_result(column, prop)
             elif prop.kind in KINDS:
@@ -130,9 +137,9 @@ class ObjectPanel:
         label = QtGui.QLabel(translated(label_of(prop.name)))
         for part in (label, text):
             part.setToolTip(wrapped(translated(prop.tip)))
-        if prop.name in ("BodyNames", "SnapMargins") and not getattr(self.obj, prop.name):
-            return
-        if prop.name == "BodyNames":
+        if prop.name.startswith("Body") and prop.kind != "Integer":
+            return  # lists of all bodies
+        if prop.name == "SnapMargins" and not self.obj.SnapMargins:
             return
         form = self._box(column, prop.group)
         if prop.kind == "StringList":
@@ -158,6 +165,8 @@ class ObjectPanel:
         self._follow_hidden()
         if self.is_heavy:
             self.say(translate("BistablePanel", "Press Apply or OK to make the solids anew."))
+        elif self._wait > _WAIT:  # slow: not before the user pauses
+            self._timer.start(self._wait)
         elif not self._timer.isActive():  # not anew: a long drag must not starve the preview
             self._timer.start(_WAIT)
 
@@ -165,13 +174,14 @@ class ObjectPanel:
         start = time.perf_counter()
         self._compute_cheap()
         self.show_state()
-        if time.perf_counter() - start > _SLOW:
-            self._timer.timeout.disconnect(self._preview)
-            self.say(translate("BistablePanel", "The preview is slow: it follows on OK."))
+        took = time.perf_counter() - start
+        self._wait = _WAIT if took < _SLOW else min(round(1000 * took), _LONGEST)
+        if took >= _SLOW and not self.message.text():
+            self.say(translate("BistablePanel", "The preview is slow: it follows when you pause."))
 
     def _compute_cheap(self):
         chain = [self.obj, *self.obj.InListRecursive]
-        cheap = [o for o in chain if type_of(o) and type_of(o) not in HEAVY]
+        cheap = [o for o in chain if type_of(o) and not is_heavy(o)]
         if cheap:
             self.doc.recompute(cheap)
 
@@ -181,18 +191,18 @@ class ObjectPanel:
         if not self._make_heavy():
             self.say(translate("BistablePanel", "Cancelled: the solids are as they were."))
             return False
-        self.doc.recompute()
+        with later.leaving():  # solids of objects above follow beside the window
+            self.doc.recompute()
         self.show_state()
         return self.obj.isValid()
 
     def _make_heavy(self):
-        """Make solids where Esc can stop it, which it cannot within a recompute; False if so."""
-        for other in [self.obj, *self.obj.InListRecursive]:
-            if type_of(other) in HEAVY:
-                try:
-                    make.make_solids(other)
-                except RuntimeError:
-                    return False
+        """Make the object's own solids, where Esc can stop it; False if it did."""
+        if is_heavy(self.obj):
+            try:
+                make.make_solids(self.obj)
+            except Cancelled:
+                return False
         return True
 
     def show_state(self):
@@ -200,7 +210,9 @@ class ObjectPanel:
         for name, label in self.results.items():
             value = getattr(self.obj, name)
             if name == "Warnings":
-                value = [in_own_language(sentence) for sentence in value]
+                value = [in_words(one) for one in warnings_of(self.obj)]
+            elif isinstance(value, str):  # one of our words, such as the kind that was found
+                value = translated(value)
             label.setText(value_text(value))
         self.say("")
         for field in self.fields.values():
@@ -211,11 +223,10 @@ class ObjectPanel:
                 return
 
     def _explain(self, other):
-        reason = clean(other.getStatusString())
-        named = [name for name in re.findall(r"\w+", reason) if name in self.fields]
-        reason, colour = in_own_language(reason), error_colour(self.form)
-        if other is self.obj and named and not self.fields[named[0]].is_hidden():
-            self.fields[named[0]].explain(reason, colour)
+        refusal, colour = refusal_of(other), error_colour(self.form)
+        reason, field = in_words(refusal), self.fields.get(refusal.parameter)
+        if other is self.obj and field and not field.is_hidden():
+            field.explain(reason, colour)
         else:
             self.say(reason if other is self.obj else f"{other.Label}: {reason}", colour)
 
@@ -251,3 +262,10 @@ def open_panel(obj):
 def icon(name):
     """An icon of the workbench."""
     return QtGui.QIcon(str(ICONS / f"{name}.svg"))
+
+
+def is_there(obj):
+    """Whether a document object still exists."""
+    with contextlib.suppress(ReferenceError, AttributeError):
+        return obj is not None and bool(obj.Name)
+    return False

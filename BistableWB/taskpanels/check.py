@@ -1,23 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of the checks: findings as they come, computed beside the window."""
 
-import threading
 from dataclasses import replace
 
 from PySide import QtCore, QtGui
 
-from .. import checking, openscad
-from ..checks.bed import Bed
-from ..checks.findings import ERROR, NOTE, WARNING, Finding
+from .. import checking, settings
+from ..checks.table import CHECKS
+from ..language.labels import translate, value_text
+from ..language.words import in_words
+from ..origami.errors import ERROR, NOTE, WARNING, Finding, Refusal, message_of, phrase
+from ..origami.hinges.bed import Bed
+from ..origami.meshes import PlacedMesh
+from ..origami.progress import Cancelled, Progress
+from ..programs import openscad
+from ..scene import threads
+from ..scene.pointer import Pointer
 from ..slicing import toolpaths
-from ..solids.mesh import PlacedMesh
 from ..solids.tessellation import shared
-from ..viewproviders import settings
-from ..viewproviders.pointer import Pointer
 from .base import icon
 from .fields import error_colour
-from .sentences import finding_text
-from .texts import translate, value_text
 
 _SIGNS = {ERROR: "✗", WARNING: "!", NOTE: "✓"}
 _WORST_FIRST = list(_SIGNS)
@@ -36,6 +38,7 @@ class CheckPanel:
         self._build()
         self.pointer = Pointer(obj)
         self.findings, self._shown, self._stopped, self.done = [], 0, False, False
+        self._progress = Progress(cancelled=lambda: self._stopped)
         self._rows, self._steps, self._thread, self.again = [], [], None, None
         self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._follow)
@@ -75,8 +78,12 @@ class CheckPanel:
         self._say(translate("BistableCheck", "Making the meshes…"))
         try:
             self.subject = _Subject(self.obj)
-        except ValueError as error:
-            refused = Finding(ERROR, "object", (), None, None, str(error))
+        except Refusal as error:
+            refused = Finding(
+                severity=ERROR,
+                code="object",
+                message=message_of(error),
+            )
             self._run([("", lambda: [refused])])
             return
         self.bar.setRange(0, len(self.subject.bodies))
@@ -140,7 +147,7 @@ class CheckPanel:
         self.offer(
             translate("BistableCheck", "Ask OpenSCAD too (about {} min)").format(minutes),
             translate("BistableCheck", "OpenSCAD renders the mesh with exact numbers."),
-            lambda: openscad.check(meshes, lambda: not self._stopped),
+            lambda: openscad.check(meshes, self._progress),
         )
 
     def _offer_slicer(self):
@@ -155,12 +162,7 @@ class CheckPanel:
 
     def _slice(self, suite):
         bodies, printer = suite.standing_bodies(), suite.printer
-        return toolpaths.check_toolpaths(bodies, suite.parameters, printer, self._ask_on)
-
-    def _ask_on(self):
-        """Stop a slicer when the panel is closed."""
-        if self._stopped:
-            raise openscad.Stopped
+        return toolpaths.check_toolpaths(bodies, suite.parameters, printer, self._progress)
 
     def offer(self, text, tip, step):
         """A button for a check that is made only on demand: ``step()`` → list of `Finding`."""
@@ -189,8 +191,7 @@ class CheckPanel:
     def _work_on(self):
         """See to it that the steps are worked on; a thread may just have ended."""
         if self._thread is None or not self._thread.is_alive():
-            self._thread = threading.Thread(target=self._work, daemon=True)
-            self._thread.start()
+            self._thread = threads.start(self._work)
 
     def _work(self):
         """Run all steps; in a thread, so nothing of Qt or FreeCAD is touched."""
@@ -198,9 +199,19 @@ class CheckPanel:
             _, step = self._steps[len(self.findings)]
             try:
                 found = step()
+            except Cancelled:  # the panel was closed
+                return
             except Exception as error:  # a check that breaks must not hide the others
                 found = [
-                    Finding(ERROR, "check", (), None, None, f"{type(error).__name__}: {error}")
+                    Finding(
+                        severity=ERROR,
+                        code="check",
+                        message=phrase(
+                            "{kind}: {error}",
+                            kind=type(error).__name__,
+                            error=error,
+                        ),
+                    )
                 ]
             self.findings.append(found)
 
@@ -249,20 +260,36 @@ class CheckPanel:
         row = QtGui.QWidget()
         line = QtGui.QHBoxLayout(row)
         line.setContentsMargins(0, 0, 0, 0)
-        label = QtGui.QLabel(f"{_SIGNS[finding.severity]}  {finding_text(finding)}")
+        label = QtGui.QLabel(f"{_SIGNS[finding.severity]}  {in_words(finding)}")
         label.setWordWrap(True)
         label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         if finding.severity == ERROR:
             label.setStyleSheet(f"color: {error_colour(self.form)}")
-        label.setToolTip(value_text(list(finding.place)))
+        label.setToolTip(value_text(list(finding.bodies)))
         line.addWidget(label, 1)
-        if finding.place:
+        if finding.bodies:
             button = QtGui.QToolButton()
             button.setArrowType(QtCore.Qt.RightArrow)  # no text: bodies have long names
             button.setToolTip(translate("BistableCheck", "Show: select and mark it in the 3D view"))
             button.clicked.connect(lambda: self.pointer.show(finding))
             line.addWidget(button, 0, QtCore.Qt.AlignTop)
         return row
+
+
+class CheckPanels:
+    """Checks of several prints, a box each, beside each other."""
+
+    def __init__(self, panels):
+        self.panels = panels
+        self.form = [panel.form for panel in panels]
+
+    def getStandardButtons(self):
+        """Close."""
+        return self.panels[0].getStandardButtons()
+
+    def reject(self):
+        """Close all of them."""
+        return all(panel.reject() for panel in self.panels)
 
 
 class _Subject:
@@ -278,26 +305,18 @@ class _Subject:
             return False
         body = self.bodies[len(self.meshes)]
         mesh, place = self._tessellator.original(body.shape)
-        made = PlacedMesh(body.name, mesh, place, body.unit, body.members, body.material)
+        made = PlacedMesh(body.name, mesh, place, body.unit, body.members, body.kind)
         self.meshes.append(made)
         return True
 
     def finish(self, printer=None):
         """All that needs FreeCAD, before the steps run beside it; ``printer``: not the own one."""
-        printer = printer or checking.printer_of(self.obj, Bed(*settings.bed()))
+        known = Bed(*settings.bed()), settings.calibrated_clearance()
+        printer = printer or checking.printer_of(self.obj, *known)
         self.suite = checking.suite_of(self.obj, self.bodies, self.meshes, printer)
 
     def steps(self):
         """(what it does, function that returns findings) of all checks."""
-        texts = {
-            "size": translate("BistableCheck", "Size of the print…"),
-            "snap": translate("BistableCheck", "Snap of the units…"),
-            "solids": translate("BistableCheck", "Closed solids…"),
-            "clearances": translate("BistableCheck", "Clearances in the flat print…"),
-            "layers": translate("BistableCheck", "Layers and overhangs…"),
-            "walls": translate("BistableCheck", "Walls and cones…"),
-            "overlaps": translate("BistableCheck", "Overlaps when opened to {}…"),
-        }
         for code, step in self.suite.steps():
             name, _, opening = code.partition(" ")
-            yield texts[name].format(opening), step
+            yield translate("BistableCheck", CHECKS[name].title).format(opening), step

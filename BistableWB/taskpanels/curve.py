@@ -5,10 +5,11 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from ..viewproviders.handles import Handles
+from ..language.labels import translate, translated
+from ..origami.curves.families import FAMILIES, counts
+from ..scene.handles import Handles
 from .base import ObjectPanel, icon
 from .fields import Field, wrapped
-from .texts import translate, translated
 
 _ENOUGH = 2  # points that a curve needs
 
@@ -62,8 +63,9 @@ class CurvePanel(ObjectPanel):
     def _follow_kind(self):
         """Show only what counts for this kind of curve."""
         self.fields["Points"].widget.setEnabled(self.obj.Source is None)
-        for kind in ("Sphere", "General"):
-            self.boxes[kind].parentWidget().setVisible(self.obj.Kind == kind)
+        for kind in set(FAMILIES) & set(self.boxes):
+            shown = counts(kind, self.obj.Kind, self.obj.FoundKind)
+            self.boxes[kind].parentWidget().setVisible(shown)
 
     def _set_adding(self, adding):
         self.handles.adding = adding

@@ -6,17 +6,18 @@ import time
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from ..language.labels import CONTEXT, translate
 from ..objects import type_of
-from ..origami.snap import PLA_STRAIN
-from ..viewproviders.motion import COLOURS, motion_of
+from ..recording.frames import Recorder
+from ..scene.motion import COLOURS, motion_of
+from ..scene.stand_in import StandIn
 from .base import icon
-from .instead import Instead
-from .recording import Recorder
-from .texts import translate
+from .snapping import Snapping
 
 _STEPS = 1000
 _SECONDS = 3.0  # from flat to deployed
 _TICK = 15  # ms
+_REST = 250  # ms without a move after which all detail is shown
 
 
 class DeployPanel:
@@ -36,8 +37,12 @@ class DeployPanel:
         finally:
             QtGui.QApplication.restoreOverrideCursor()
         self._take_over()
+        self.snapping.show_known(self.motion)
         self._timer = QtCore.QTimer(self.form)
         self._timer.timeout.connect(self._tick)
+        self._rest = QtCore.QTimer(self.form)
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(lambda: self.motion.show(self._opening))
         self._forward, self._last, self._frames = True, 0.0, []
         self.set_opening(obj.Deployment)
 
@@ -71,11 +76,13 @@ class DeployPanel:
         family = [self.obj]
         if type_of(self.obj) == "Bistable::HingeSet":
             family.append(self.obj.Unit)
-        self._shown = Instead(self.view, self.motion.root, family)
+        self._shown = StandIn(self.view, self.motion.root, family)
 
     def _give_back(self):
         self.stop()
+        self.snapping.stop()
         self.recorder.cancel()
+        self._rest.stop()
         self._shown.end()
 
     # the panel
@@ -91,6 +98,8 @@ class DeployPanel:
         row.addWidget(self.slider, 1)
         row.addWidget(QtGui.QLabel(translate("BistableDeploy", "deployed")))
         column.addLayout(row)
+        self.snapping = Snapping(self.obj, self.slider, self._snapping_known)
+        column.addWidget(self.snapping)
         column.addLayout(self._play_row())
         column.addWidget(self.colours)
         self.text = QtGui.QLabel()
@@ -125,21 +134,28 @@ class DeployPanel:
         """The opening shown, 0 flat … 1 deployed."""
         return self._opening
 
-    def set_opening(self, opening):
-        """Show an opening, in the view and on the slider."""
+    def set_opening(self, opening, moving=False):
+        """Show an opening, in the view and on the slider; all its detail soon after ``moving``."""
         self._opening = min(1.0, max(0.0, opening))
         self.slider.blockSignals(True)
         self.slider.setValue(round(self._opening * _STEPS))
         self.slider.blockSignals(False)
-        self.motion.show(self._opening)
+        self.motion.show(self._opening, moving)
+        if moving:
+            self._rest.start(_REST)
+        self.snapping.follow(self._opening)
         self._tell()
 
     def _slid(self, step):
-        self.set_opening(step / _STEPS)
+        self.set_opening(step / _STEPS, moving=True)
 
     def _recolour(self, *_):
         self.motion.colour_by(self.colours.currentData())
         self._tell()
+
+    def _snapping_known(self):
+        self.snapping.show_known(self.motion)
+        self.set_opening(self._opening)
 
     def _tell(self):
         parts = [translate("BistableDeploy", "{:.0%} open").format(self._opening)]
@@ -150,9 +166,11 @@ class DeployPanel:
         elif self.colours.currentData() == COLOURS[2]:
             worst = float(self.motion.strain(self._opening).max())
             strain = translate(
-                "BistableDeploy", "strain up to {:.2%} (full colour: {:.0%}, what PLA bears)"
+                "BistableDeploy", "strain up to {:.2%} (full colour: {:.1%}, what {} bears)"
             )
-            parts.append(strain.format(worst, PLA_STRAIN))
+            of = self.motion.made_of
+            parts.append(strain.format(worst, of.breaking_strain, translate(CONTEXT, of.name)))
+        parts += self.snapping.told(self._opening)
         self.text.setText(", ".join(parts))
 
     # playing
@@ -181,7 +199,7 @@ class DeployPanel:
         self._frames.append(now - self._last)
         self._last = now
         opening = self._opening + (step if self._forward else -step)
-        self.set_opening(opening)
+        self.set_opening(opening, moving=True)
         if not 0 < opening < 1:
             if not self.loop.isChecked():
                 self.stop()

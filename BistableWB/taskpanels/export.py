@@ -3,26 +3,21 @@
 
 from pathlib import Path
 
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
+from ..exporters import FORMATS, suffix_of
+from ..language.labels import translate, translated
+from ..origami.patterns.panel_hinges import PANEL_HINGES
 from .base import icon
-from .texts import translate
 
 _SHEETS = ("A4", "A3", "A2", "A1", "A0")
 
-# Suffix -> the exporter's options that the panel offers.
-OPTIONS = {
-    ".svg": ("sheet", "tabs", "tab_depth", "colours"),
-    ".dxf": ("sheet", "tabs", "tab_depth"),
-    ".fold": ("deployment_frames", "title", "author"),
-}
-
 
 class ExportPanel:
-    """Options for writing ``obj`` to ``path``; OK calls ``write(obj, path, **options)``."""
+    """Options of the file ``path``; OK calls ``write(objects, path, **options)``."""
 
-    def __init__(self, obj, path, write):
-        self.obj, self.path, self._write = obj, Path(path), write
+    def __init__(self, objects, path, write):
+        self.objects, self.path, self._write = objects, Path(path), write
         self.form = QtGui.QWidget()
         self.form.setObjectName("BistableExport")
         title = translate("BistableExport", "Export {}").format(self.path.name)
@@ -31,7 +26,7 @@ class ExportPanel:
         form = QtGui.QFormLayout(self.form)
         form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-        self.fields = {name: _FIELDS[name]() for name in OPTIONS[self.path.suffix.lower()]}
+        self.fields = {name: _FIELDS[name]() for name in FORMATS[suffix_of(self.path)].panel}
         for name, field in self.fields.items():
             field.widget.setObjectName(name)
             form.addRow(field.label, field.widget)
@@ -56,7 +51,7 @@ class ExportPanel:
 
     def accept(self):
         """OK: write the file. Stay open where that cannot be."""
-        if self._write(self.obj, str(self.path), **self.options()):
+        if self._write(self.objects, str(self.path), **self.options()):
             return True
         text = translate("BistableExport", "{} was not written: the report view says why.")
         self.message.setText(text.format(self.path.name))
@@ -123,7 +118,60 @@ class _Text:
         return self.widget.text().strip()
 
 
+class _Length:
+    def __init__(self, label, tip, usual, largest=1000):
+        self.label, self.usual = label, usual
+        self.widget = QtGui.QDoubleSpinBox()
+        self.widget.setRange(0, largest)
+        self.widget.setSuffix(" mm")
+        self.widget.setValue(usual)
+        self.widget.setToolTip(tip)
+
+    def value(self):
+        return self.widget.value() if self.widget.value() != self.usual else None
+
+
+class _Hinge:
+    def __init__(self):
+        self.label = translate("BistableExport", "Hinges")
+        self.widget = QtGui.QComboBox()
+        for name, hinge in PANEL_HINGES.items():
+            self.widget.addItem(translated(name), name)
+            self.widget.setItemData(self.widget.count() - 1, hinge.what, QtCore.Qt.ToolTipRole)
+
+    def value(self):
+        return self.widget.currentData() if self.widget.currentIndex() else None
+
+
+class _Stock:
+    def __init__(self):
+        self.label = translate("BistableExport", "Sheets to cut from, mm")
+        self.widget = QtGui.QLineEdit("2500x1250")
+        self.widget.setToolTip(translate("BistableExport", "Width x height of a sheet"))
+
+    def value(self):
+        text = self.widget.text().strip()
+        return text if text != "2500x1250" else None
+
+
 _FIELDS = {
+    "panel_thickness": lambda: _Length(
+        translate("BistableExport", "Thickness of panels"),
+        translate("BistableExport", "Thickness of the sheets that panels are cut from"),
+        18.0,
+    ),
+    "panel_hinge": _Hinge,
+    "stock": _Stock,
+    "kerf": lambda: _Length(
+        translate("BistableExport", "Kerf"),
+        translate("BistableExport", "Width of the cut: paths run half of it outside the panels"),
+        0.0,
+    ),
+    "edge_gap": lambda: _Length(
+        translate("BistableExport", "Gap at the edges"),
+        translate("BistableExport", "How far panels end before the axes of their hinges"),
+        0.5,
+    ),
     "sheet": _Sheet,
     "tabs": lambda: _Switch(
         translate("BistableExport", "Glue tabs"),

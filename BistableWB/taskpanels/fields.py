@@ -7,8 +7,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from ..language.labels import label_of, translate, translated
 from ..objects import type_of
-from .texts import label_of, translate, translated
 
 # Property of kind Link -> type of object that it may link to.
 LINKED = {
@@ -17,6 +17,7 @@ LINKED = {
     "Unit": "Bistable::BistableUnit",
 }
 _SLIDER_STEPS = 1000
+_PAUSE = 500  # ms without a key after which a number that is being typed is whole
 
 
 class Field:
@@ -55,6 +56,9 @@ class Field:
             setattr(self.obj, self.name, value)
         self._changed(self)
 
+    def settle(self):
+        """What is being typed counts now."""
+
     def has_expression(self):
         """Whether a formula gives the property its value."""
         return any(path.lstrip(".") == self.name for path, _ in self.obj.ExpressionEngine)
@@ -70,7 +74,37 @@ class Field:
         self.error.setVisible(bool(text))
 
 
-class Quantity(Field):
+class Typed(Field):
+    """A spin box: a number counts when it is whole, after a pause, on Enter or on leaving it.
+
+    "4" is not what somebody who types "45" wants. Steps of the arrows and the wheel count at once.
+    """
+
+    def watch_typing(self, spin):
+        """Let numbers that are typed into ``spin`` wait."""
+        self._spin = spin
+        self._pause = QtCore.QTimer(spin)
+        self._pause.setSingleShot(True)
+        self._pause.timeout.connect(self._whole)
+        spin.findChild(QtGui.QLineEdit).textEdited.connect(lambda _: self._pause.start(_PAUSE))
+        spin.editingFinished.connect(self.settle)
+
+    def is_typing(self):
+        """Whether a number is being typed."""
+        return self._pause.isActive()
+
+    def settle(self):
+        """See `Field.settle`."""
+        if self._pause.isActive():
+            self._pause.stop()
+            self._whole()
+
+    def _whole(self):
+        self._spin.interpretText()
+        self.edited()
+
+
+class Quantity(Typed):
     """Length, Angle or Float: a spin box with units and formulas."""
 
     UNITS = {"Length": "mm", "Angle": "deg", "Float": ""}
@@ -80,7 +114,12 @@ class Quantity(Field):
         self.widget.setProperty("unit", self.UNITS[self.prop.kind])
         bind(self.widget, self.obj, self.name)
         # not valueChanged: PySide knows this class as a QAbstractSpinBox only
-        self.widget.findChild(QtGui.QLineEdit).textChanged.connect(self.edited)
+        self.watch_typing(self.widget)  # first: it tells whether a change of text was typed
+        self.widget.findChild(QtGui.QLineEdit).textChanged.connect(self._text_changed)
+
+    def _text_changed(self, *_):
+        if not self.is_typing():
+            self.edited()
 
     def show(self, value):
         self.widget.setProperty("rawValue", getattr(value, "Value", value))
@@ -90,14 +129,16 @@ class Quantity(Field):
         return None if raw == getattr(now, "Value", now) else raw
 
 
-class Number(Field):
+class Number(Typed):
     """Integer: a spin box; the whole numbers that we have are odd."""
 
     def build(self):
         self.widget = Gui.UiLoader().createWidget("Gui::IntSpinBox")
         self.widget.setRange(-1000, 1000)
         self.widget.setSingleStep(2)
+        self.widget.setKeyboardTracking(False)
         bind(self.widget, self.obj, self.name)
+        self.watch_typing(self.widget)
         self.widget.valueChanged.connect(self.edited)
 
     def show(self, value):
@@ -107,7 +148,7 @@ class Number(Field):
         return self.widget.value()
 
 
-class Fraction(Field):
+class Fraction(Typed):
     """A number from 0 to 1: slider and spin box."""
 
     def build(self):
@@ -118,7 +159,9 @@ class Fraction(Field):
         self.spin.setRange(0, 1)
         self.spin.setDecimals(3)
         self.spin.setSingleStep(0.05)
+        self.spin.setKeyboardTracking(False)
         bind(self.spin, self.obj, self.name)
+        self.watch_typing(self.spin)
         row = QtGui.QHBoxLayout(self.widget)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.slider, 1)
@@ -238,7 +281,7 @@ class Source(Field):
         row.addWidget(clear)
 
     def _take(self):
-        from ..commands.chosen import edges
+        from ..scene.chosen import edges
 
         found = edges()
         if found:

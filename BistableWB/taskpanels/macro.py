@@ -7,10 +7,15 @@ from ..objects.base import Result
 
 
 def inputs_of(obj):
-    """{name: literal} of an object's inputs, as Python expressions; formulas are left out."""
+    """{name: (literal, follows)} of an object's inputs; formulas are left out.
+
+    ``literal``: the value as a Python expression; ``follows``: whether another input carries it
+    along, as nobody has set it.
+    """
     formulas = {path.lstrip(".") for path, _ in obj.ExpressionEngine}
+    following = obj.Proxy.following(obj)
     return {
-        prop.name: literal(getattr(obj, prop.name))
+        prop.name: (literal(getattr(obj, prop.name)), prop.name in following)
         for prop in obj.Proxy.PROPERTIES
         if not isinstance(prop, Result) and prop.name not in formulas
     }
@@ -18,7 +23,11 @@ def inputs_of(obj):
 
 def record_changes(obj, before):
     """Run, and record, the lines that take the inputs from ``before`` to what they are now."""
-    changed = {name: text for name, text in inputs_of(obj).items() if before.get(name) != text}
+    changed = {}
+    for name, (text, follows) in inputs_of(obj).items():
+        old, followed = before.get(name, (None, False))
+        if old != text and not (followed and follows):  # else the replay carries it along too
+            changed[name] = text
     if changed:
         Gui.doCommand(f'doc = App.getDocument("{obj.Document.Name}")')
     for name, text in changed.items():

@@ -1,24 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The dock with charts of a tube: angles, ratios, snap margins and energy, unit by unit."""
 
-import contextlib
 import math
-import re
 
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
 
+from ..language.labels import translate
+from ..language.words import in_words
 from ..objects import type_of
-from ..origami.snap import energy_path
-from ..viewproviders.bodies import bodies_shown
+from ..origami.snap.margin import energy_path
+from ..scene.shown import bodies_shown
+from .aiming import AimRow
+from .base import is_there
 from .charts import CHOSEN, MARGIN, RATIO, THETA, WEAKEST, BarChart, LineChart
-from .texts import translate
+from .measure import MeasureButton
 
 _PANELS_A_UNIT = 12
 _HINGES, _UNITS = "Bistable::HingeSet", "Bistable::BistableUnit"
+_STEADY = 1.2  # safety factor that is enough
+_MOST_SAFE = 10.0  # safety factors are drawn to here
 _STEPS = 60  # of the energy's path
+_LISTED = 12  # units that the heading names
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -46,10 +51,23 @@ class PlotsDock(QtGui.QDockWidget):
             MARGIN,
             self.pick,
         )
+        self.barriers = BarChart(
+            translate("BistablePlots", "Energy that opening takes, N·mm"), THETA, self.pick
+        )
+        self.safety = BarChart(
+            translate("BistablePlots", "Safety under its own weight; folds below 1"),
+            MARGIN,
+            self.pick,
+        )
         self.energy = EnergyChart()
-        self.charts = (self.thetas, self.ratios, self.margins, self.energy)
+        self.charts = (self.thetas, self.ratios, self.margins, self.barriers, self.safety,
+                       self.energy)  # fmt: skip
         for chart in self.charts:
             column.addWidget(chart, 1)
+        self.measure = MeasureButton(self._measured)
+        self.aim = AimRow(self._measured)
+        column.addWidget(self.measure)
+        column.addWidget(self.aim)
         self.setWidget(body)
         self._soon = QtCore.QTimer(self)
         self._soon.setSingleShot(True)
@@ -61,6 +79,8 @@ class PlotsDock(QtGui.QDockWidget):
     def show_tube(self, obj):
         """Show the charts of a BistableUnit or HingeSet object, of none for None."""
         self.obj = obj
+        self.measure.ask_about(obj)
+        self.aim.ask_about(obj)
         self.refresh()
 
     def refresh(self):
@@ -80,7 +100,28 @@ class PlotsDock(QtGui.QDockWidget):
         margins = list(getattr(self.obj, "SnapMargins", ()))
         self.margins.set_values(margins, [1.0] * len(margins))
         self.margins.setVisible(bool(margins))
+        self._show_strength(bool(margins))
         self.energy.set_units(units.Alphas, units.Betas, margins)
+
+    def _show_strength(self, is_print):
+        """Results of the measurement, once known, or the button that asks for them."""
+        barriers = list(getattr(self.obj, "Barriers", ())) if is_print else []
+        factors = [min(f, _MOST_SAFE) for f in self.obj.SafetyFactors] if barriers else []
+        self.barriers.set_values(barriers)
+        self.safety.set_values(factors, [1.0] * len(factors))
+        for chart in (self.barriers, self.safety):
+            chart.setVisible(bool(barriers))
+        self.measure.setVisible(is_print and not barriers)
+        self.aim.setVisible(is_print)
+        if factors:
+            said = [self.heading.text(), _order(self.obj), _weakest(self.obj)]
+            self.heading.setText("<br>".join(each for each in said if each))
+
+    def _measured(self, error):
+        """The strength of the tube that is shown is known; what cannot be is said."""
+        self.refresh()
+        if error is not None:
+            self.heading.setText(in_words(error))
 
     def refresh_soon(self):
         """Read the numbers when FreeCAD has finished what it does."""
@@ -89,6 +130,8 @@ class PlotsDock(QtGui.QDockWidget):
     def forget(self):
         """The tube is gone."""
         self.obj = None
+        self.measure.ask_about(None)
+        self.aim.ask_about(None)
         self.refresh_soon()
 
     # bars and faces
@@ -107,6 +150,32 @@ class PlotsDock(QtGui.QDockWidget):
         """Highlight the bars of some units."""
         for chart in self.charts:
             chart.choose(indices)
+
+
+def _weakest(obj):
+    """Which unit gives way first under the tube's weight, and what helps if that is too soon."""
+    factors = list(obj.SafetyFactors)
+    least = min(factors)
+    said = translate(
+        "BistablePlots", "Unit {unit} gives way first, at {factor:.1f} times its load."
+    )
+    if least < _STEADY:
+        said = translate(
+            "BistablePlots", "Unit {unit} gives way first, at {factor:.1f} times its load: aim at "
+            "more, make edges longer, the tube shorter, or hold both ends."
+        )  # fmt: skip
+    return said.format(unit=factors.index(least) + 1, factor=least)
+
+
+def _order(obj):
+    """In which order the units open: the weakest first."""
+    forces = list(obj.HandForces)
+    if len(forces) < 2:
+        return ""
+    order = [k + 1 for k in sorted(range(len(forces)), key=forces.__getitem__)]
+    shown = ", ".join(map(str, order[:_LISTED])) + (" …" if len(order) > _LISTED else "")
+    said = translate("BistablePlots", "Units open in this order: {order}; {force:.1f} N the first.")
+    return said.format(order=shown, force=min(forces))
 
 
 class EnergyChart(LineChart):
@@ -198,13 +267,6 @@ class Watch:
             self.dock.forget()
 
 
-def is_there(obj):
-    """Whether a document object still exists."""
-    with contextlib.suppress(ReferenceError, AttributeError):
-        return obj is not None and bool(obj.Name)
-    return False
-
-
 def _units_below(obj):
     if not is_there(obj):
         return None
@@ -217,7 +279,7 @@ def elements_of_unit(obj, index):
     if type_of(obj) == _UNITS:
         first = _PANELS_A_UNIT * index + 1
         return [f"Face{first + k}" for k in range(_PANELS_A_UNIT)]
-    return [element for name, element in bodies_shown(obj) if index + 1 in _units_of_body(name)]
+    return [body.element for body in bodies_shown(obj) if index + 1 in body.units]
 
 
 def unit_of_element(obj, element):
@@ -225,13 +287,8 @@ def unit_of_element(obj, element):
     if type_of(obj) == _UNITS:
         is_face = element.startswith("Face")
         return (int(element[4:]) - 1) // _PANELS_A_UNIT if is_face else None
-    units = {e: _units_of_body(name) for name, e in bodies_shown(obj)}.get(element)
+    units = {body.element: body.units for body in bodies_shown(obj)}.get(element)
     return min(units) - 1 if units else None
-
-
-def _units_of_body(name):
-    """Units, counted from 1, that a body belongs to by its name: a block to two."""
-    return {int(digits) for digits in re.findall(r"(?:unit|block|_)(\d+)", name)}
 
 
 def dock():

@@ -3,9 +3,8 @@
 
 from PySide import QtGui
 
-from .. import colours
-from ..viewproviders import settings
-from .texts import CONTEXT, label_of, translate, translated
+from .. import colours, settings
+from ..language.labels import CONTEXT, label_of, translate, translated
 
 _PRINTER = ("BedWidth", "BedDepth", "BedHeight", "NozzleDiameter", "LayerHeight")
 _HINGE = ("FaceThickness", "GapLength", "GapBetweenPlanes")
@@ -53,7 +52,7 @@ class PreferencesPage:
             box.setValue(settings.number(name))
         self.pivot.setCurrentIndex(self.pivot.findData(settings.pivot()))
         for kind, button in self.colours.items():
-            rgb = settings.panel_colour(kind)
+            rgb = settings.colour(kind)
             _paint(button, QtGui.QColor.fromRgbF(*rgb).name())
 
     def saveSettings(self):

@@ -7,20 +7,14 @@ Importing this package must stay cheap: FreeCAD does so while it opens a file of
 import contextlib
 import importlib
 
-# Type name -> (module, class). A type that is not here looks like any other: `base`.
-VIEW_PROVIDERS = {
-    "Bistable::Curve": ("lines", "CurveView"),
-    "Bistable::TrianglePlacement": ("lines", "TrianglePlacementView"),
-    "Bistable::BistableUnit": ("bistable_unit", "BistableUnitView"),
-    "Bistable::HingeSet": ("bodies", "HingeSetView"),
-    "Bistable::HingeCoupon": ("bodies", "BodiesView"),
-}
-_PLAIN = ("base", "BistableView")
+from ..objects import TYPES, Type
+
+_PLAIN = Type("", "").view
 
 
 def attach(view_object, type_name):
     """Give the view object of a new document object of ours its view provider; returns it."""
-    module, name = VIEW_PROVIDERS.get(type_name, _PLAIN)
+    module, name = TYPES[type_name].view if type_name in TYPES else _PLAIN
     view_class = getattr(importlib.import_module(f"{__name__}.{module}"), name)
     return view_class(view_object)
 

@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import ICONS
+from .. import ICONS, hooks
 
 
 class BistableView:
@@ -69,9 +69,7 @@ class BistableView:
         """Open the panel; other modes (transform, colours) are FreeCAD's own."""
         if mode != 0:
             return None
-        from ..taskpanels.base import open_panel
-
-        return open_panel(view_object.Object)
+        return hooks.panels().open_panel(view_object.Object)
 
     def unsetEdit(self, view_object, mode):
         """Close the panel."""

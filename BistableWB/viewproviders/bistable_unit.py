@@ -2,7 +2,7 @@
 """BistableUnit in the view: twelve faces a unit, coloured by kind of panel."""
 
 from .. import colours
-from . import faces
+from ..scene import faces
 from .coloured import ColouredView
 
 

@@ -1,49 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """HingeSet and HingeCoupon in the view: solids, coloured by what each body is."""
 
+import contextlib
+import time
+
 import FreeCAD as App
 import Part
 from pivy import coin
 from PySide import QtCore
 
-from .. import colours
-from . import faces, settings
-from .body_nodes import BodyNodes, meshed
+from .. import colours, settings
+from ..objects import later
+from ..scene import aside, faces
+from ..scene.body_nodes import BodyNodes, meshed
+from ..scene.shown import bodies_shown
 from .coloured import ColouredView
 
-LINK = colours.MUTED
-STRIP = colours.CURVE
-_PLATES = ("border", "primary", "contact", "secondary")  # for a coupon's plates, one by one
+_SLICE = 0.05  # s of drawing at once
+_STALE = colours.rgb("#B4B8BC")  # of bodies that no longer fit their inputs
 _PATTERNS = {"Solid": 0xFFFF, "Dashed": 0xF00F, "Dotted": 0x0F0F, "Dashdot": 0xFF88}
-
-
-def body_colour(name, number=0):
-    """RGB of a body by its name: its panel's kind, blocks as the contact panels that they are.
-
-    ``number`` tells bodies apart that have no kind.
-    """
-    if "strip" in name:
-        return colours.rgb(STRIP)
-    if "block" in name:
-        return settings.panel_colour("contact")
-    if "link" in name:
-        return colours.rgb(LINK)
-    kinds = [kind for kind in colours.PANELS if kind in name]
-    # longest first: "secondary" must not be taken for anything shorter
-    return settings.panel_colour(max(kinds, key=len) if kinds else _PLATES[number % 4])
-
-
-def bodies_shown(obj):
-    """(name, element) of the bodies in an object's shape; elements are what can be selected.
-
-    Flexible strips are there only when flat. Empty where names and shape do not belong together
-    (while a file is being opened).
-    """
-    count = obj.Shape.countElement("Solid")
-    names = list(obj.BodyNames)
-    if len(names) != count:
-        names = [name for name in names if "strip" not in name]
-    return [(name, f"Solid{k + 1}") for k, name in enumerate(names)] if len(names) == count else []
 
 
 class BodiesView(ColouredView):
@@ -63,6 +38,7 @@ class BodiesView(ColouredView):
         """Make the nodes; FreeCAD gets them when it has its own."""
         super().attach(view_object)
         self.nodes, self._is_shown, self._is_due = BodyNodes(), False, False
+        self._drawing = None
 
     # what FreeCAD asks and tells
 
@@ -106,9 +82,17 @@ class BodiesView(ColouredView):
         """Bodies, each of which has one colour."""
         return obj.Shape.countElement("Solid")
 
+    def is_drawing(self):
+        """Whether what is shown is not yet the Shape: it is drawn when the window has time."""
+        return self._drawing is not None
+
+    def is_stale(self, obj):
+        """Whether the bodies are those of older inputs: they are shown grey."""
+        return False
+
     def wanted_colours(self, obj):
         """Every body in the colour of its kind."""
-        return [body_colour(name, k) for k, (name, _) in enumerate(bodies_shown(obj))]
+        return [settings.colour(body.kind) for body in bodies_shown(obj)]
 
     def refresh(self, obj):
         """Draw the shape, in new colours where it has another number of bodies."""
@@ -117,14 +101,33 @@ class BodiesView(ColouredView):
             self._draw(obj)
 
     def _draw(self, obj):
+        """Draw, in slices where nobody waits; what was shown stays until the last of them."""
         self._is_due = False
         shape = Part.Shape(obj.Shape)
         shape.Placement = App.Placement()  # the view's own transform applies the object's
-        self.nodes.show([meshed(solid) for solid in shape.Solids])
-        self._colour()
+        self._drawing = self.nodes.showing(meshed(solid) for solid in shape.Solids)
+        self._draw_on(self._drawing, 0 if later.nobody_waits() else None)
+
+    def _draw_on(self, drawing, seconds):
+        """Draw for some time, then let the window work, and go on; None: to the end."""
+        end = None if seconds is None else time.monotonic() + seconds
+        while self._drawing is drawing and (end is None or time.monotonic() < end):
+            try:
+                next(drawing)
+            except StopIteration:
+                self._drawing = None
+                self._colour()
+        if self._drawing is drawing:
+            QtCore.QTimer.singleShot(0, lambda: self._draw_on_soon(drawing))
+
+    def _draw_on_soon(self, drawing):
+        with contextlib.suppress(ReferenceError):  # deleted in the meantime
+            self._draw_on(drawing, _SLICE)
 
     def _colour(self):
         shown = faces.face_colours(self.ViewObject)
+        if self.is_stale(self.ViewObject.Object):
+            shown = [_STALE]
         if len(shown) not in (1, len(self.nodes.materials)):
             shown = shown[:1]
         self.nodes.colour(shown, self.ViewObject.Transparency / 100)
@@ -182,3 +185,25 @@ class HingeSetView(BodiesView):
     """A whole print: without edges, whose drawing would cost more than all the rest."""
 
     LOOK = BodiesView.LOOK | {"DisplayMode": "Shaded"}
+
+    def attach(self, view_object):
+        """From now on there is a window in which solids can be made aside."""
+        super().attach(view_object)
+        aside.install()
+
+    def updateData(self, obj, name):
+        """Follow whether the solids are those of the inputs."""
+        super().updateData(obj, name)
+        if name == "UpToDate" and getattr(self, "_is_shown", False):
+            self._colour()
+
+    def is_stale(self, obj):
+        """See `BodiesView.is_stale`."""
+        return not getattr(obj, "UpToDate", True)
+
+    def setupContextMenu(self, view_object, menu):
+        """Offer to make what is not up to date."""
+        super().setupContextMenu(view_object, menu)
+        if self.is_stale(view_object.Object):
+            text = App.Qt.translate("BistableLive", "Make solids")
+            menu.addAction(text).triggered.connect(lambda: aside.make(view_object.Object))

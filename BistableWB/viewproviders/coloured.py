@@ -5,7 +5,7 @@ import contextlib
 
 from PySide import QtCore
 
-from . import faces
+from ..scene import faces
 from .base import BistableView
 
 

@@ -5,9 +5,10 @@ import FreeCAD as App
 from pivy import coin
 
 from .. import colours
+from ..origami.curves.families import FAMILIES
+from ..scene.overlay import DASHES, SOLID, overlay
 from .base import BistableView
 
-_SOLID, _DASHES = 0xFFFF, 0xF0F0
 _POINTS_PER_CURVE = 65
 _CURVE, _ZIGZAG = colours.rgb(colours.CURVE), colours.rgb(colours.INK)
 _WHITE = (1.0, 1.0, 1.0)
@@ -23,7 +24,7 @@ class LinesView(BistableView):
         """Add the copy to what FreeCAD draws."""
         super().attach(view_object)
         self.points, self.lines = coin.SoCoordinate3(), coin.SoLineSet()
-        self.switch = _overlay(self.OVERLAY, self.points, self.lines)
+        self.switch = overlay(self.OVERLAY, self.points, self.lines)
         view_object.RootNode.addChild(self.switch)
         self.onChanged(view_object, "Visibility")
         self.refresh(view_object.Object)
@@ -58,11 +59,12 @@ class CurveView(LinesView):
         "Deviation": 0.1,
         "AngularDeflection": 5.0,
     }
-    OVERLAY = ((_WHITE, 5.0, _SOLID), (_CURVE, 3.0, _SOLID))
+    OVERLAY = ((_WHITE, 5.0, SOLID), (_CURVE, 3.0, SOLID))
 
     def icon_name(self, obj):
-        """Tell a curve on a sphere from one in a plane."""
-        return "CurveOnSphere" if obj.Kind == "Sphere" else "Curve"
+        """That of the family: the one that was chosen, else the one that was found."""
+        family = FAMILIES.get(obj.Kind) or FAMILIES.get(obj.FoundKind)
+        return family.icon if family else "Curve"
 
 
 class TrianglePlacementView(LinesView):
@@ -74,27 +76,7 @@ class TrianglePlacementView(LinesView):
         "LineWidth": 2.0,
         "PointSize": 5.0,
     }
-    OVERLAY = ((_ZIGZAG, 2.0, _SOLID), (_WHITE, 2.0, _DASHES))
-
-
-def _overlay(layers, points, lines):
-    """Switch with one child: lines drawn after, and over, everything else."""
-    annotation = coin.SoAnnotation()
-    pick = coin.SoPickStyle()
-    pick.style = coin.SoPickStyle.UNPICKABLE
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
-    for node in (pick, light, points):
-        annotation.addChild(node)
-    lines.numVertices.setNum(0)
-    for colour, width, pattern in layers:
-        style, base = coin.SoDrawStyle(), coin.SoBaseColor()
-        style.lineWidth, style.linePattern, base.rgb = width, pattern, colour
-        for node in (style, base, lines):
-            annotation.addChild(node)
-    switch = coin.SoSwitch()
-    switch.addChild(annotation)
-    return switch
+    OVERLAY = ((_ZIGZAG, 2.0, SOLID), (_WHITE, 2.0, DASHES))
 
 
 def _polylines(shape):

@@ -1,169 +1,94 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sentences of errors, warnings and findings, out of the sources: templates for translators.
+"""The templates of refusals, warnings and findings, out of the sources, for translators.
 
-The packages that write them know nothing of languages; the window shows a finished sentence in the
-user's own (`BistableWB.taskpanels.sentences`). A template is a string of the sources with {0}, {1},
-{2} for what is filled in: "Ratio{0} is {1}: …". What is filled in may be a phrase, with a template
-of its own: "which welds them". Where one of two words is filled in, there is a template for each.
+A template (see `BistableWB.origami.errors`) is what the sources give to ``phrase``, ``require`` and
+``Refusal`` or a class made of it: its first text, and its ``cure``. It may be one of two (``a if b
+else c``), joined of several by ``+``, or a constant of the module. What the command line alone says
+(`ENGLISH`) is not translated.
 """
 
 import ast
-import itertools
 import re
 
 CONTEXT = "BistableSentence"
-# Modules all of whose texts are sentences or parts of sentences.
-WHOLE = (
-    "checks", "fitting.py", "imports/__init__.py", "imports/curves.py", "imports/fold.py",
-    "imports/text.py", "objects", "openscad.py", "origami", "slicing/gcode.py",
-    "slicing/slicer.py", "slicing/toolpaths.py", "solids",
-)  # fmt: skip
-# Modules with other texts: what they raise counts, and the parts of it named here.
-RAISING = (
-    "design_text.py", "document_report.py", "exporters", "make.py", "slicing/comparison.py",
-    "slicing/painting.py",
-)  # fmt: skip
-PARTS = (
-    "choose another folder", "free some space there", "it has none", "it has {0}", "no suffix",
-    "the suffix {0}", "deployed", "flat",
-    # words that `checks` fills in
-    "floor", "layer", "nozzle", "wall",
-)  # fmt: skip
-# Texts with spaces that are no sentences: progress, labels of drawings, names of files and formats.
-_CALLS = {"Prop", "Result", "compile", "findall", "match", "search", "split", "sub", "fullmatch"}
-_OTHER = re.compile(
-    r"[<>\n\\]|=\"|^/App|^; (?:estimated|filament)|^not closed$|\(curve\)$|^\) mm$|"
-    r"^(?:Hinged solids|Lets Repair|Measuring|Placing|Support material|Wipe tower)|"
-    r"^(?:overlaps|(?:to )?unit) \{|^(?:\{\d\} × )*\{\d\} (?:mm|cm²)$"
-)
-_MOST = 12  # letters of a word that is filled in from a variable
+ENGLISH = {"DesignError", "BadValue", "refuse"}
+_PLACE = {"phrase": 0, "Refusal": 0, "require": 1}  # of the template among the arguments
+_SAYS = re.compile(r"[^\W\d_]{2}")  # a word, outside of fields
+FIELD = re.compile(r"\{[^{}]*\}")
 
 
 def templates(package):
     """Set of the templates in the sources below ``package`` (a Path)."""
-    found = set(PARTS)
-    for path in sorted(package.rglob("*.py")):
-        name = path.relative_to(package).as_posix()
-        whole = _is_in(name, WHOLE)
-        if whole or _is_in(name, RAISING):
-            tree = ast.parse(path.read_text(encoding="utf-8"))
-            found |= _Reader(tree).templates(whole)
-    return found
+    trees = [ast.parse(path.read_text(encoding="utf-8")) for path in sorted(package.rglob("*.py"))]
+    place = places(trees)
+    return {
+        text
+        for tree in trees
+        for call, constants in calls(tree, place)
+        for texts in given(call, place, constants)
+        for text in texts
+        if _SAYS.search(FIELD.sub("", text))
+    }
 
 
-def _is_in(name, parts):
-    return any(name == part or name.startswith(f"{part}/") for part in parts)
+def places(trees):
+    """{function that takes a template: which of its arguments that is} for modules' trees."""
+    return dict.fromkeys((name for tree in trees for name in _refusals(tree)), 0) | _PLACE
 
 
-class _Reader:
-    """The texts of a module."""
-
-    def __init__(self, tree):
-        self.tree = tree
-        self.constants = {}
-        for node in tree.body:
-            if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
-                text = self._text(node.value)
-                if text:
-                    self.constants[node.targets[0].id] = text
-        self.found = set()
-
-    def templates(self, whole):
-        """Templates of all texts, or of what is raised."""
-        if whole:
-            self._visit(self.tree, {})
-        else:
-            for node in ast.walk(self.tree):
-                if isinstance(node, ast.Raise):
-                    self._visit(node, {})
-        return self.found
-
-    def _visit(self, node, words):
-        if isinstance(node, ast.Call) and _name(node.func) in _CALLS:
-            return
-        if isinstance(node, ast.FunctionDef):
-            words = _words_of(node)
-        text = self._text(node)
-        if text is not None:
-            self._add(numbered(text))
-            return
-        if isinstance(node, ast.JoinedStr):
-            for text in _alternatives(node, words):
-                self._add(numbered(text))
-            for value in node.values:
-                inner = getattr(value, "value", None)
-                if isinstance(inner, ast.AST) and not _choices(inner, words):
-                    self._visit(inner, words)
-            return
-        for child in ast.iter_child_nodes(node):
-            if not (isinstance(child, ast.Expr) and isinstance(child.value, ast.Constant)):
-                self._visit(child, words)  # else a docstring
-
-    def _text(self, node):
-        """The text of a constant expression, or None."""
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            return node.value
-        if isinstance(node, ast.Name):
-            return self.constants.get(node.id) if isinstance(node.ctx, ast.Load) else None
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-            left, right = self._text(node.left), self._text(node.right)
-            return None if left is None or right is None else left + right
-        if isinstance(node, ast.Subscript) and ast.unparse(node.slice) == ":-1":
-            text = self._text(node.value)
-            return None if text is None else text[:-1]
-        return None
-
-    def _add(self, template):
-        plain = re.sub(r"\{\d+\}", "", template)
-        if re.search(r"[a-z]{2}", plain) and " " in template and not _OTHER.search(template):
-            self.found.add(template)
+def _refusals(tree):
+    """Names of the classes that are made of Refusal, and take a template as it does."""
+    for node in ast.walk(tree):
+        made = isinstance(node, ast.ClassDef) and "Refusal" in map(_name, node.bases)
+        if made and node.name not in ENGLISH and "__init__" not in map(_name, node.body):
+            yield node.name
 
 
-def numbered(text):
-    """``text`` with its fields numbered in their order, whatever stands in them."""
-    count = itertools.count()
-    return re.sub(r"\{[^{}]*\}", lambda _: f"{{{next(count)}}}", text)
+def calls(tree, place):
+    """(call, constants of the module) of all calls that give a template."""
+    constants = {
+        node.targets[0].id: node.value
+        for node in tree.body
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and (_takes(node, place) or _is_super(node)):
+            yield node, constants
 
 
-def _alternatives(node, words):
-    """Templates of an f-string: one for each choice of the words that are filled in."""
-    parts = []
-    for value in node.values:
-        if isinstance(value, ast.Constant):
-            parts.append((value.value,))
-        else:
-            parts.append(_choices(value.value, words) or (None,))
-    for chosen in itertools.product(*parts):
-        yield "".join("{}" if text is None else text for text in chosen)
+def _takes(call, place):
+    """Whether a call is of a function that takes a template, and gives it one."""
+    return len(call.args) > place.get(_name(call.func), len(call.args))
 
 
-def _choices(node, words):
-    """The two words that an expression chooses from, or None."""
-    if isinstance(node, ast.Name):
-        return words.get(node.id)
+def _is_super(call):
+    """Whether a call is ``super().__init__`` with a text first, as of a class of refusals."""
+    called = ast.unparse(call.func) == "super().__init__"
+    return called and len(call.args) == 1 and len(call.keywords) > 1
+
+
+def given(call, place, constants):
+    """The templates that a call gives, a list for each of its texts."""
+    first = place.get(_name(call.func), 0)
+    arguments = call.args[first : first + 1]
+    if _name(call.func) != "phrase":  # which may have a piece of that name
+        arguments += [word.value for word in call.keywords if word.arg == "cure"]
+    return [_texts(argument, constants) for argument in arguments]
+
+
+def _texts(node, constants):
+    """What an expression of texts may say."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return [node.value]
     if isinstance(node, ast.IfExp):
-        both = [getattr(side, "value", None) for side in (node.body, node.orelse)]
-        return tuple(both) if all(isinstance(text, str) for text in both) else None
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
-        ending = node.left
-    elif isinstance(node, ast.Subscript):
-        ending = node.value
-    else:
-        return None
-    text = getattr(ending, "value", None)
-    return ("", text) if isinstance(text, str) else None
-
-
-def _words_of(function):
-    """{variable: its two words} of a function: ``are = "are" if several else "is"``."""
-    words = {}
-    for node in ast.walk(function):
-        if isinstance(node, ast.Assign) and isinstance(node.value, ast.IfExp):
-            both = _choices(node.value, {})
-            if both and all(text and " " not in text and len(text) < _MOST for text in both):
-                words[_name(node.targets[0])] = both
-    return words
+        return _texts(node.body, constants) + _texts(node.orelse, constants)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        ends = _texts(node.right, constants)
+        return [start + end for start in _texts(node.left, constants) for end in ends]
+    if isinstance(node, ast.Name) and node.id in constants:
+        return _texts(constants[node.id], constants)
+    return []
 
 
 def _name(node):
-    return getattr(node, "attr", getattr(node, "id", ""))
+    return next((getattr(node, kind) for kind in ("attr", "id", "name") if hasattr(node, kind)), "")

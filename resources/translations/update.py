@@ -12,6 +12,7 @@ no FreeCAD.
 
 import ast
 import re
+import runpy
 import shutil
 import subprocess
 import sys
@@ -30,9 +31,18 @@ MARKERS = {"translate", "QT_TRANSLATE_NOOP"}
 CHOICES = (
     "Adaptive", "Fixed", "TargetSnap", "Exact", "Paper", "Plane", "Sphere", "General", "Automatic",
     "Direction", "Viewpoint", "Rotational", "Flexible", "Cone", "Pin", "Flat", "OnEdge",
-    "Dihedral", "Vertex", "NonDevelopableVertex", "Custom",
+    "Dihedral", "Vertex", "NonDevelopableVertex", "Custom", "EndFit", "Steered", "Live", "OnDemand",
+    "Start", "Both", "Free", "Square", "FDM, stand-offs", "FDM, ties", "FDM, soluble", "Powder",
+    "Resin", "Dowel", "Clip", "Magnet", "Screw", "None", "Plain", "Plate", "Flange", "Piano",
+    "Textile", "Tape", "Contact", "Crease", "Recommended", "RecommendedVertex", "Given", "Coarse",
 )  # fmt: skip
 LABELS = ("BedWidth", "BedDepth", "BedHeight")  # preferences that are no properties
+# Tooltips that are made of a table: (module, constant).
+TIPS = (
+    ("origami/hinges/kinds.py", "KINDS_TIP"),
+    ("origami/curves/families.py", "KINDS_TIP"),
+    ("origami/curves/families.py", "FOUND_TIP"),
+)
 KINDS = ("Contact panels", "Border panels", "Primary triangles", "Secondary triangles")
 
 
@@ -47,6 +57,7 @@ def label_of(name):
 def messages():
     """Set of (context, text) in all sources."""
     found = {(TABLES, text) for text in (*CHOICES, *KINDS, *map(label_of, LABELS))}
+    found |= {(TABLES, runpy.run_path(str(PACKAGE / path))[name]) for path, name in TIPS}
     found |= {(sentences.CONTEXT, text) for text in sentences.templates(PACKAGE)}
     for path in sorted(PACKAGE.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -57,12 +68,14 @@ def messages():
 
 def _of_call(node):
     name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-    texts = [arg.value for arg in node.args if isinstance(arg, ast.Constant)]
-    if name in MARKERS and len(texts) == 2:
+    # None is what is no constant, as what is in TIPS
+    texts = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args]
+    if name in MARKERS and len(texts) == 2 and None not in texts:
         yield tuple(texts)
-    elif name in ("Prop", "Result") and len(texts) >= 4:
+    elif name in ("Prop", "Result", "OfShape") and len(texts) >= 4 and None not in texts[:3]:
         for text in (label_of(texts[1]), texts[2], texts[3]):
-            yield TABLES, text
+            if text is not None:
+                yield TABLES, text
 
 
 def read(path):
