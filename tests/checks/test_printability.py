@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 
 from BistableWB.checks import ERROR, NOTE, WARNING
+from BistableWB.checks.bvh import Tree
 from BistableWB.checks.layering import Layering
 from BistableWB.checks.layers import PIXEL, crossings, layers
 from BistableWB.checks.printer import Printer
 from BistableWB.checks.snapping import check_snap
 from BistableWB.checks.suite import Standing, Suite
-from BistableWB.checks.trees import Tree
 from BistableWB.checks.walls import steepest_cone, thinnest_walls
-from BistableWB.origami.hinge_parameters import HingeParameters
-from BistableWB.solids.mesh import Mesh, PlacedMesh, joined
+from BistableWB.origami.hinges.parameters import HingeParameters
+from BistableWB.origami.meshes import Mesh, PlacedMesh, joined
 
 PRINTER = Printer()
 
@@ -83,6 +83,24 @@ def test_layers_have_the_area_of_their_sections(angle):
     assert middle == pytest.approx(centre, abs=0.2)
 
 
+@pytest.mark.parametrize(
+    ("z", "steps"),
+    [
+        (13.100000000000001, (-2, -1, 2, -1)),
+        (61.900000000000006, (-3, -3, -1, -3)),
+        (54.900000000000006, (-2, 3, -1, 3)),
+        (28.700000000000003, (3, 3, -1, -2)),
+    ],
+)
+def test_edges_that_are_level_but_for_rounding_lead_nowhere_else(z, steps):
+    """A bottom in the middle of a layer, but for steps of rounding, is cut between its corners."""
+    block = prism([(0, 0), (9, 0), (9, 7), (0, 7)], 1.0)
+    corners = block.vertices.copy()
+    corners[:4, 2], corners[4:, 2] = z + np.spacing(z) * np.array(steps), z + 1
+    found = layers(Mesh(corners, block.triangles), 0.2)
+    assert (np.array(found.inside.shape[1:]) <= (71, 91)).all()
+
+
 def test_windows_of_layers_reach_beyond_the_body():
     found = layers(box((0, 0, 0), (1, 1, 1)), 0.2)
     window = found.window(found.first - 3, found.end + 3)
@@ -105,7 +123,7 @@ def test_a_short_bridge_is_spanned_and_a_long_one_hangs():
     # what sticks out from a leg by no more than the overhang is carried
     assert found.number == pytest.approx((9 - 2 * 0.4) * 8, rel=0.05)
     assert found.points[0][2] == pytest.approx(4.1)
-    assert "5 mm" in found.message
+    assert "5 mm" in str(found.message)
     filler = box((2, 0, 0), (11, 8, 4))
     assert findings(table(9), support=filler)["overhang"].number == 0
 
@@ -115,7 +133,7 @@ def test_a_narrow_ledge_is_a_note():
     found = findings(ledge)["overhang"]
     assert found.severity == NOTE
     assert found.number == pytest.approx((3 - 0.4) * 30, rel=0.05)
-    assert "narrower" in found.message
+    assert "narrower" in str(found.message)
 
 
 @pytest.mark.parametrize(("angle", "hangs"), [(45, False), (58, False), (75, True)])
@@ -133,7 +151,7 @@ def test_a_body_that_starts_in_mid_air():
     assert "island" not in findings(ground, near)
     far = body("far", box((5, 5, 8), (7, 7, 9)))
     found = findings(ground, near, far)["island"]
-    assert (found.severity, found.place) == (WARNING, ("far",))
+    assert (found.severity, found.bodies) == (WARNING, ("far",))
     assert found.number == pytest.approx(8.1)
     assert "island" not in findings(ground, far, support=box((5, 5, 1), (7, 7, 8)))
 
@@ -148,9 +166,9 @@ def test_a_gap_that_no_layer_falls_into_fuses():
     assert (open_gap.severity, open_gap.number) == (NOTE, 0)
     closed = findings(*stack(1.12, 1.28))["fused"]
     assert closed.severity == ERROR
-    assert closed.place == ("lower", "upper")
+    assert closed.bodies == ("lower", "upper")
     assert closed.number == pytest.approx(12, rel=0.03)
-    assert "LayerHeight" in closed.cure
+    assert "LayerHeight" in str(closed.cure)
     thick = findings(*stack(1.0, 1.2), printer=Printer(layer_height=0.5))["fused"]
     assert thick.severity == ERROR
     few = findings(*(b._replace(unit=k) for k, b in enumerate(stack(1.12, 1.28))))
@@ -163,7 +181,7 @@ def test_layers_that_change_the_thickness():
     bad = findings(body("plate", box((0, 0, 0), (9, 9, 1.0))), printer=Printer(layer_height=0.3))
     assert bad["layers"].severity == WARNING
     assert bad["layers"].number == pytest.approx(0.9, abs=0.01)
-    assert "0.1 mm off" in bad["layers"].message
+    assert "0.1 mm off" in str(bad["layers"].message)
 
 
 def test_walls_are_measured_and_sharp_corners_are_none():
@@ -214,7 +232,7 @@ def test_thin_walls_and_steep_cones_are_findings():
         body("steep", cone(70)),
     ]
     found = suite(*bad).check_walls()
-    assert [(f.code, f.severity, f.place) for f in found] == [
+    assert [(f.code, f.severity, f.bodies) for f in found] == [
         ("wall", ERROR, ("thin",)),
         ("wall", ERROR, ("film",)),
         ("cone", WARNING, ("steep",)),
@@ -232,7 +250,7 @@ def test_clearances_below_the_resolution_of_the_slicer():
     (found,) = dict(checked.steps())["clearances"]()
     assert found.severity == ERROR
     assert found.number == pytest.approx(0.06, abs=1e-3)
-    assert "slicer" in found.message
+    assert "slicer" in str(found.message)
 
 
 def test_a_print_is_looked_at_as_it_stands():
@@ -256,13 +274,16 @@ def test_floppy_units_are_named():
     margin = np.array([1.2, 0.8, 1.1, 0.5])
     (found,) = check_snap(SimpleNamespace(margin=margin, bistable=np.full(4, True)))
     assert (found.severity, found.number) == (WARNING, 0.5)
-    assert found.place == ("unit02", "unit04")
-    assert found.message.startswith("Units 2, 4 of 4 are floppy, margin 0.50")
+    assert found.bodies == ("unit02", "unit04")
+    assert str(found.message).startswith("Units 2, 4 of 4 are floppy, margin 0.50")
     (found,) = check_snap(SimpleNamespace(margin=1.4, bistable=False))
-    assert found.message.startswith("The unit is floppy, without a second stable state")
-    assert "Compensate" in found.cure
+    assert str(found.message).startswith("The unit is floppy, without a second stable state")
+    assert "Compensate" in str(found.cure)
     (found,) = check_snap(SimpleNamespace(margin=margin + 1, bistable=np.full(4, True)))
-    assert (found.severity, found.message) == (NOTE, "All 4 units snap: margin 1.50 or more.")
+    assert (found.severity, str(found.message)) == (NOTE, "All 4 units snap: margin 1.50 or more.")
+    (found,) = check_snap(SimpleNamespace(margin=np.inf, bistable=True))
+    assert found.number is None  # no margin tells of strips
+    assert "measure" in str(found.cure)
 
 
 def test_outlines_close_however_corners_are_rounded():
@@ -277,3 +298,14 @@ def test_outlines_close_however_corners_are_rounded():
         layer, row, _, sign = crossings(mesh, 0.2)
         lines, which = np.unique(np.stack([layer, row]), axis=1, return_inverse=True)
         assert not np.bincount(which.ravel(), sign, lines.shape[1]).any()
+
+
+def test_every_place_that_starts_in_mid_air_is_counted():
+    """Three towers of one body: two over air, one on something two layers of air below."""
+    ground = body("ground", box((0, 0, 0), (30, 9, 1)))
+    high = [box((1, 1, 3), (3, 3, 4)), box((20, 1, 3), (24, 3, 4))]
+    towers = body("towers", *high, box((10, 1, 1.4), (13, 3, 4)))
+    made = Layering([ground, towers], PRINTER, None, "none", alone=True)
+    island = {finding.code: finding for finding in made.findings()}["island"]
+    assert "2 places start, 12 mm² in all" in str(island.message)
+    assert len(island.points) == 2

@@ -59,3 +59,12 @@ def tube(doc, valid):
     obj = make.make_bistable_unit(doc, triangles)
     valid(doc)
     return obj
+
+
+@pytest.fixture
+def hinges(doc, valid):
+    """A firm print of one unit, 60 mm."""
+    unit = make.make_bistable_unit(doc, theta=45, ratio=0.42, edge_length=60)
+    obj = make.make_hinge_set(doc, unit)
+    valid(doc)
+    return obj

@@ -3,18 +3,24 @@
 
 import re
 import zipfile
+from dataclasses import replace
 
 import FreeCAD as App
 import Mesh
 import numpy as np
 import pytest
 
-from BistableWB import EXAMPLES, cli, demo, design, hinged, produce
-from BistableWB.objects import hinge_set
-from BistableWB.origami.hinge_parameters import HingeParameters
-from BistableWB.origami.snap import assess
+from BistableWB import EXAMPLES
+from BistableWB.designs import building, reading
+from BistableWB.objects.bistable_unit import design_of
+from BistableWB.origami.design import Thickness
+from BistableWB.origami.snap.contact import holding
+from BistableWB.origami.snap.margin import assess
+from BistableWB.origami.snap.table import USUAL
 from BistableWB.pictures import hinge, page
 from BistableWB.pictures import prints as prints_page
+from BistableWB.program import cli, demo
+from BistableWB.reports import print_facts
 
 pytestmark = pytest.mark.slow
 
@@ -23,16 +29,16 @@ UNIT = """
 name = "Print <me>"
 [unit]
 theta = 50
-edge_length = 70
-ratio_share = 0.05
+edge_length = 100
+ratio_share = 0.03
 [hinges]
 segmentations = 3
 """
 TUBE = """
 [curve]
-points = [[0, 0], [40, 20], [80, 10]]
+points = [[0, 0], [60, 30], [120, 15]]
 [triangles]
-edge_length = 80
+edge_length = 120
 gamma = 22
 [hinges]
 preset = "RecommendedVertex"
@@ -55,7 +61,7 @@ def small_pictures():
     with pytest.MonkeyPatch.context() as patch:
         for module in (hinge, page, prints_page):
             patch.setattr(module, "DPI", 66)
-        patch.setattr(hinged, "_FINE", (0.1, 0.5))
+        patch.setattr(print_facts, "_FINE", (0.1, 0.5))
         yield
 
 
@@ -79,7 +85,8 @@ def test_a_print_has_its_files_pictures_and_report(prints):
     assert code == 0
     assert names(out / "unit") == {
         "unit.FCStd", "unit-print.stl", "unit-print.3mf", "unit-print.png", "unit-opening.png",
-        "unit-hinge.png", "unit-margins.png", "unit-energy.png", "report.html",
+        "unit-hinge.png", "unit-margins.png", "unit-forces.png", "unit-safety.png",
+        "unit-energy.png", "unit-slop.png", "report.html",
     }  # fmt: skip
     assert names(out / "tube") == {"tube.FCStd", "tube-print.stl", "report.html"}
     assert names(out / "coupon") == {
@@ -114,34 +121,44 @@ def test_the_print_is_watertight_and_as_high_as_the_stack(prints, name):
 
 def test_the_3mf_names_every_body(prints):
     with zipfile.ZipFile(prints[0] / "unit" / "unit-print.3mf") as package:
-        model = package.read("3D/3dmodel.model").decode()
-    assert len(set(re.findall(r'name="(unit01_\w+)"', model))) == 15
+        parts = package.read("Metadata/Slic3r_PE_model.config").decode()
+    assert len(set(re.findall(r'value="(unit01_\w+)"', parts))) == 15
 
 
 def test_the_report_tells_numbers_and_what_is_floppy(prints):
     text = (prints[0] / "unit" / "report.html").read_text(encoding="utf-8")
     for part in ("Print &lt;me&gt;", "<dd>15</dd>", "snap margin", "misfit without compensation",
-                 "peak strain", "material", "fits the bed", "apart in the flat print"):  # fmt: skip
+                 "material", "fits the bed", "apart in the flat print"):  # fmt: skip
         assert part in text
     assert "The unit snaps" in text or "The unit is floppy" in text
-    assert text.count("data:image/png;base64,") == 5
+    assert text.count("data:image/png;base64,") == 8
+    assert "Will it snap, will it stand?" in text
+    assert text.count('<figure class="live">') == 1
 
 
 def test_a_floppy_print_is_called_floppy(doc):
     text = UNIT.replace("theta = 50", "theta = 30").replace("share = 0.05", "share = 0.3")
-    objects = produce.build(doc, design.check("floppy.toml", text))
-    facts = hinged.HingedTube(objects["hinges"]).facts()
+    objects = building.build(doc, reading.check("floppy.toml", text))
+    facts = print_facts.HingedTube(objects["hinges"]).facts()
     said = " ".join(str(finding) for finding in facts.findings)
     assert "The unit is floppy" in said
-    assert "floppy" in facts.rows[0][0]
+    assert "floppy" in str(facts.rows[0][0])
     assert facts.errors == []
 
 
 def test_an_error_of_a_check_is_a_failure(tmp_path, monkeypatch, capsys):
-    from BistableWB.checks import ERROR, Finding
+    from BistableWB.origami.errors import ERROR, Finding, phrase
 
-    bad = Finding(ERROR, "overlap", ("a", "b"), 1.0, 0.0, "a runs into b.", "move it")
-    monkeypatch.setattr(hinged, "_found", lambda *_: [bad])
+    bad = Finding(
+        severity=ERROR,
+        code="overlap",
+        bodies=("a", "b"),
+        number=1.0,
+        limit=0.0,
+        message=phrase("a runs into b."),
+        cure=phrase("move it"),
+    )
+    monkeypatch.setattr(print_facts, "_found", lambda *_: [bad])
     path = tmp_path / "bad.toml"
     path.write_text(UNIT + "[output]\npictures = false\nformats = []\n")
     assert cli.main([str(path), "--out", str(tmp_path / "out")]) == 1
@@ -151,10 +168,15 @@ def test_an_error_of_a_check_is_a_failure(tmp_path, monkeypatch, capsys):
 
 
 def test_openscad_is_asked_where_a_design_wants_it(tmp_path, monkeypatch, capsys):
-    from BistableWB import openscad
-    from BistableWB.checks import ERROR, Finding
+    from BistableWB.origami.errors import ERROR, Finding, phrase
+    from BistableWB.programs import openscad
 
-    bad = Finding(ERROR, "openscad", (), None, None, "OpenSCAD finds 14 bodies.", "look")
+    bad = Finding(
+        severity=ERROR,
+        code="openscad",
+        message=phrase("OpenSCAD finds 14 bodies."),
+        cure=phrase("look"),
+    )
     asked = []
     monkeypatch.setattr(openscad, "check", lambda meshes: asked.append(len(meshes)) or [bad])
     path = tmp_path / "asked.toml"
@@ -165,11 +187,11 @@ def test_openscad_is_asked_where_a_design_wants_it(tmp_path, monkeypatch, capsys
 
 
 def test_the_spherical_example_snaps(doc):
-    objects = produce.build(doc, design.read(EXAMPLES / "spherical-unit.toml"))
+    objects = building.build(doc, reading.read(EXAMPLES / "spherical-unit.toml"))
     hinges = objects["hinges"]
     assert min(hinges.SnapMargins) > 1.5
     assert hinges.DeployedMisfit.Value < 1e-6
-    assert np.all(np.array(hinges.PrintSize) < 110)
+    assert np.all(np.array(hinges.PrintSize) < 165)
     assert list(hinges.Warnings) == []
 
 
@@ -177,18 +199,19 @@ def test_every_unit_of_the_hinged_arch_snaps_and_stays_on_the_curve(doc):
     """Without its solids, which take a while."""
     path = EXAMPLES / "hinged-arch.toml"
     text = re.sub(r"(?s)\[hinges\].*", "", path.read_text(encoding="utf-8"))
-    objects = produce.build(doc, design.check(path, text))
-    parameters = HingeParameters()
+    text = text.replace("[triangles]", "[triangles]\nthickness = 1.8")
+    objects = building.build(doc, reading.check(path, text))
+    parameters = USUAL
     objects["triangles"].Thickness = parameters.pitch
     doc.recompute()
-    tube, warnings = hinge_set._thick(objects["unit"], App.Placement(), parameters, True)
-    snap = assess(tube.thick, parameters.play)
+    thickness = Thickness(parameters.face_thickness, parameters.gap_between_planes)
+    tube = replace(design_of(objects["unit"]), thickness=thickness).thick()
+    snap = assess(tube.thick, holding(tube.thick, parameters))
     assert 6 <= len(snap.margin) <= 10
     assert snap.margin.min() > 1.5
     assert not snap.overstrained.any()
     assert tube.thick.misfit(1.0).max() < 1e-6
     assert tube.deviation() < 1e-3
-    assert warnings == []
 
 
 def test_the_demo_shows_every_example(tmp_path, monkeypatch, capsys):

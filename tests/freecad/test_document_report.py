@@ -10,10 +10,12 @@ import numpy as np
 import Part
 import pytest
 
-from BistableWB import design, document_report, make, produce
-from BistableWB.design_text import CURVE_FILE, objects_of, text_of
+from BistableWB import document_report, make
+from BistableWB.designs import building, reading
+from BistableWB.designs.writing import CURVE_FILE, objects_of, text_of
 from BistableWB.objects.bistable_unit import tube_of
 from BistableWB.objects.hinge_inputs import hinge_parameters
+from BistableWB.origami.progress import Cancelled
 
 ROTATED = App.Placement(App.Vector(30, -20, 10), App.Rotation(App.Vector(1, 2, 3), 50))
 MOVED = App.Placement(App.Vector(30, -20, 10), App.Rotation())
@@ -70,7 +72,7 @@ def rebuilt(objects, folder):
     path.write_text(text, encoding="utf-8")
     if curve:
         (folder / CURVE_FILE).write_text(curve)
-    return produce.build(App.newDocument("Again", hidden=True), design.read(path))
+    return building.build(App.newDocument("Again", hidden=True), reading.read(path))
 
 
 @pytest.fixture
@@ -139,7 +141,7 @@ def test_the_report_is_one_file_that_makes_the_tube_again(doc, valid, tmp_path):
     (tmp_path / "again.toml").write_text(toml)
     (tmp_path / CURVE_FILE).write_bytes(base64.b64decode(curve))
     other = App.newDocument("Again", hidden=True)
-    made = produce.build(other, design.read(tmp_path / "again.toml"))
+    made = building.build(other, reading.read(tmp_path / "again.toml"))
     assert made["unit"].Shape.Area == pytest.approx(units.Shape.Area, rel=1e-9)
     App.closeDocument(other.Name)
 
@@ -188,10 +190,10 @@ def test_a_cancelled_report_leaves_the_old_file(doc, valid, tmp_path, monkeypatc
     path.write_text("old")
 
     def cancel(*_):
-        raise RuntimeError("abort")
+        raise Cancelled
 
-    monkeypatch.setattr(produce, "tell", cancel)
-    with pytest.raises(RuntimeError):
+    monkeypatch.setattr(building, "tell", cancel)
+    with pytest.raises(Cancelled):
         document_report.write(units, path)
     assert path.read_text() == "old"
     assert [p.name for p in tmp_path.iterdir()] == ["x.html"]

@@ -13,6 +13,7 @@ from BistableWB import make
 from BistableWB.exporters import FORMATS, export
 
 NETS = (".fold", ".svg", ".dxf")  # of panels without thickness
+CUTS = tuple(suffix for suffix in FORMATS if suffix.startswith(".cut."))  # of thick ones, cut
 
 
 @pytest.fixture(params=sorted(FORMATS))
@@ -23,8 +24,14 @@ def suffix(request):
 @pytest.fixture
 def subject(doc, valid, suffix):
     """Something that can be written in the format."""
-    if suffix in NETS:
+    if suffix in CUTS:
+        obj = make.make_bistable_unit(doc, theta=50, ratio=0.5, edge_length=800)
+    elif suffix in NETS:
         obj = make.make_bistable_unit(doc, theta=50, ratio=0.5, edge_length=60)
+    elif suffix == ".xml":  # a mechanism is of a print that opens
+        unit = make.make_bistable_unit(doc, theta=50, ratio=0.5, edge_length=60)
+        obj = make.make_hinge_set(doc, unit)
+        obj.Segmentations = 3
     else:
         obj = make.make_hinge_coupon(doc)
         obj.Segmentations = 3
@@ -64,7 +71,7 @@ def test_targets_that_cannot_be_written(subject, suffix, tmp_path, monkeypatch):
     for name, message in (
         (f"nowhere/a{suffix}", "There is no folder .*nowhere: make it"),
         (f"folder{suffix}", "is a folder: add a file name"),
-        (f"a{suffix}x", f"the suffix {suffix}x: name the file with one of "),
+        (f"a{suffix}x", f"the suffix .{suffix.split('.')[-1]}x: name the file with one of "),
         ("a", "has no suffix: name the file"),
     ):
         with pytest.raises(ValueError, match=message):
@@ -101,3 +108,23 @@ def test_selections_that_cannot_be_written(doc, subject, suffix, tmp_path):
         export(invalid, path)
     assert path.read_text() == "old"
     assert [p.name for p in tmp_path.iterdir()] == [path.name]
+
+
+def test_a_full_disk_leaves_the_document_that_was_saved_before(doc, tmp_path):
+    """FreeCAD itself says nothing of a document that it could not write to its end."""
+    from BistableWB.designs import building
+    from BistableWB.designs.reading import Design
+    from BistableWB.origami.progress import NOBODY
+
+    result = building.Result(Design(tmp_path / "a.toml", "", {}), tmp_path)
+    doc.addObject("Part::Box", "Box").Label = "first"
+    doc.recompute()
+    building._save(result, doc, NOBODY)
+    (path,) = tmp_path.iterdir()
+    before = path.read_bytes()
+    doc.addObject("Part::Sphere", "Sphere")
+    doc.recompute()
+    with disk_that_is_full_after(2000), contextlib.suppress(OSError):
+        building._save(result, doc, NOBODY)
+    assert path.read_bytes() == before
+    assert list(tmp_path.iterdir()) == [path]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from BistableWB import make
-from BistableWB.origami.hinge_parameters import PRESETS
+from BistableWB.origami.hinges.presets import PRESETS
 
 TABLES = json.loads((Path(__file__).parents[1] / "data" / "tables.json").read_text())
 

@@ -7,12 +7,12 @@ import FreeCAD as App
 import pytest
 
 from BistableWB import make
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.hinge_parameters import HingeParameters
-from BistableWB.origami.placement import place
-from BistableWB.origami.ratios import RatioRule
-from BistableWB.origami.thick_tube import thick_tube
-from BistableWB.origami.tube import along
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.hinges.parameters import HingeParameters
+from BistableWB.origami.thick.thick_tube import thick_tube
+from BistableWB.origami.units.ratios import RatioRule
+from BistableWB.origami.units.tube import along
 from BistableWB.solids.tube import tube_bodies
 
 PITCH, GAP = 1.8, 0.6

@@ -12,14 +12,15 @@ import Part
 import pytest
 from FreeCAD import Vector
 
-from BistableWB import make, openscad
+from BistableWB import make
 from BistableWB.checks import NOTE, soundness
 from BistableWB.exporters import export, stl, threemf
 from BistableWB.exporters.bodies import Body
 from BistableWB.origami import unit
-from BistableWB.origami.hinge_parameters import HingeParameters
-from BistableWB.origami.linkage import ThickUnit
-from BistableWB.solids.mesh import Mesh, component_labels, unpaired_edges
+from BistableWB.origami.hinges.parameters import HingeParameters
+from BistableWB.origami.meshes import Mesh, component_labels, unpaired_edges
+from BistableWB.origami.thick.linkage import ThickUnit
+from BistableWB.programs import openscad
 from BistableWB.solids.tessellation import VIEW, Tessellator, mesh_of, placed_meshes, shared
 from BistableWB.solids.tube import tube_bodies
 
@@ -101,8 +102,8 @@ def test_cones_are_strips_of_triangles():
 def test_flats_lie_within_a_hundredth_of_round_faces_with_few_triangles(bodies):
     body = next(b for b in bodies if "secondary" in b.name)
     mesh = mesh_of(body.shape)
-    finer = mesh_of(body.shape.copy(), 0.005, 0.3)
-    assert len(mesh.triangles) < 0.5 * len(finer.triangles)
+    kernel = mesh_of(body.shape.copy(), 0.01, 0.3)
+    assert len(mesh.triangles) < 0.9 * len(kernel.triangles)
     sides = mesh.corners[:, [0, 1, 2]], mesh.corners[:, [1, 2, 0]]
     middles = np.unique(np.round(np.mean(sides, 0).reshape(-1, 3), 6), axis=0)
     shell = body.shape.Shells[0]
@@ -124,7 +125,7 @@ def test_triangles_know_the_face_they_lie_on(bodies):
 
 def test_checks_and_files_share_one_mesh_a_body(bodies):
     first = placed_meshes(bodies)
-    moved = bodies[3].shape.copy(False)
+    moved = Part.Shape(bodies[3].shape)
     moved.translate(Vector(1, 2, 3))
     mesh, matrix = shared().original(moved)
     assert mesh is first[3].mesh
@@ -176,7 +177,7 @@ def test_the_same_bodies_give_the_same_bytes(bodies, tmp_path, suffix):
 
 def test_3mf_has_one_named_object_a_body_in_one_assembly(bodies, tmp_path):
     path = tmp_path / "tube & co.3mf"
-    threemf.write(bodies, path)
+    threemf.write(bodies, path, assembly=True)
     model = read_model(path)
     assert model.get("unit") == "millimeter"
     objects = {o.get("id"): o for o in model.findall(".//m:object", NAMESPACE)}
@@ -190,17 +191,17 @@ def test_3mf_has_one_named_object_a_body_in_one_assembly(bodies, tmp_path):
         component = look.find(".//m:component", NAMESPACE)
         if component is not None:
             look = objects[component.get("objectid")]
-        assert kinds[int(look.get("pindex"))] in body.name
+        assert kinds[int(look.get("pindex"))] == body.kind
 
 
 def test_3mf_shares_the_triangles_of_bodies_that_are_moved_copies(tmp_path):
     shape = Part.makeBox(1, 2, 3).cut(Part.makeBox(0.5, 1, 1))
     copies = [Body(f"body{k}", shape.translated(Vector(4 * k, 0, 0)), (), None) for k in range(5)]
     mirrored = Body("mirrored", shape.mirror(Vector(-3, 0, 0), Vector(1, 0, 0)), (), None)
-    threemf.write([*copies, mirrored], tmp_path / "a.3mf")
+    threemf.write([*copies, mirrored], tmp_path / "a.3mf", assembly=True)
     model = read_model(tmp_path / "a.3mf")
     assert len(model.findall(".//m:mesh", NAMESPACE)) == 2
-    threemf.write(copies[:1], tmp_path / "b.3mf")
+    threemf.write(copies[:1], tmp_path / "b.3mf", assembly=True)
     assert len(read_model(tmp_path / "b.3mf").findall(".//m:mesh", NAMESPACE)) == 1
 
 
@@ -222,15 +223,15 @@ def test_through_the_dispatcher_with_options(doc, tmp_path):
         export(box, tmp_path / "a.stl", angular_deflection=deflection, linear_deflection=1.0)
         sizes.append(len(read_stl(tmp_path / "a.stl")[0].triangles))
     assert sizes[1] > 2 * sizes[0]
-    export(box, tmp_path / "a.3mf")
+    export(box, tmp_path / "a.3mf", assembly=True)
     assert read_model(tmp_path / "a.3mf").find(".//m:object", NAMESPACE).get("name") == "Cylinder"
 
 
 @pytest.mark.skipif(not openscad.installed(), reason="needs openscad")
 def test_openscad_sees_as_many_closed_bodies_of_the_same_volume(bodies):
     (found,) = openscad.check([mesh.placed for mesh in placed_meshes(bodies[:15])])
-    assert found.severity == NOTE, found.message
-    assert "15 closed bodies" in found.message
+    assert found.severity == NOTE, str(found)
+    assert "15 closed bodies" in str(found.message)
 
 
 @pytest.mark.skipif(not shutil.which("prusa-slicer"), reason="needs prusa-slicer")

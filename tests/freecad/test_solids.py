@@ -7,18 +7,21 @@ from itertools import combinations
 import numpy as np
 import Part
 import pytest
+import sewn
 from FreeCAD import Vector
 
-from BistableWB.origami import print_stack
-from BistableWB.origami.creases import BODIES, CREASES
-from BistableWB.origami.hinge_layout import unit_layout
-from BistableWB.origami.hinge_parameters import PRESETS, HingeParameters
-from BistableWB.origami.linkage import ThickUnit
+from BistableWB.origami.hinges.layout import unit_layout
+from BistableWB.origami.hinges.parameters import HingeParameters
+from BistableWB.origami.hinges.presets import PRESETS
+from BistableWB.origami.progress import Cancelled, Progress
+from BistableWB.origami.thick import print_stack
+from BistableWB.origami.thick.linkage import ThickUnit
 from BistableWB.origami.unit import plane_unit, sphere_unit
-from BistableWB.solids import brep
+from BistableWB.origami.units.creases import BODIES, CREASES
 from BistableWB.solids.coupons import KINDS, coupon_bodies
 from BistableWB.solids.support import support_body
 from BistableWB.solids.tube import layout_solids, moved, tube_bodies
+from tests.judges import judge
 
 DEFAULT = HingeParameters()
 FLEXIBLE = HingeParameters(hinge_type="Flexible")
@@ -131,15 +134,15 @@ def boolean_volume(plate, parameters):
     """Volume of a panel by OCC's booleans of boxes, cylinders and cones."""
     half = parameters.face_thickness / 2
     up = Vector(0, 2 * half, 0)
-    core = brep.polygon([brep.at(p, plate.height - half) for p in plate.core]).extrude(up)
+    core = sewn.polygon([sewn.at(p, plate.height - half) for p in plate.core]).extrude(up)
     add, cut = [core], []
     for tab in plate.tabs:
         start, end = tab.hinge.segments[tab.index]
-        axis = brep.at(tab.hinge.direction, 0.0)
+        axis = sewn.at(tab.hinge.direction, 0.0)
         corners = [tab.corner(0, 0.0), tab.corner(0), tab.corner(1), tab.corner(1, 0.0)]
-        floor = brep.polygon([brep.at(p, plate.height - half) for p in corners])
-        low = brep.at(tab.hinge.point(start), tab.hinge.height)
-        high = brep.at(tab.hinge.point(end), tab.hinge.height)
+        floor = sewn.polygon([sewn.at(p, plate.height - half) for p in corners])
+        low = sewn.at(tab.hinge.point(start), tab.hinge.height)
+        high = sewn.at(tab.hinge.point(end), tab.hinge.height)
         add += [floor.extrude(up), Part.makeCylinder(parameters.radius, end - start, low, axis)]
         cone = parameters.cone_base, parameters.tip_radius(tab.hinge.cone_height)
         if tab.index < len(tab.hinge.segments) - 1:
@@ -167,8 +170,8 @@ def test_volume_agrees_with_that_of_the_mesh(single):
 
 
 def test_a_mesh_kernel_finds_the_flat_bodies_apart(single):
-    manifold3d = pytest.importorskip("manifold3d")
-    trimesh = pytest.importorskip("trimesh")
+    manifold3d = judge("manifold3d")
+    trimesh = judge("trimesh")
     total = 0.0
     solids = []
     for body in single[1]:
@@ -203,13 +206,10 @@ def test_units_of_a_tube_share_blocks_and_stay_apart(pair):
 def test_progress_counts_units_and_can_cancel():
     units, seen = thick([45.0, 45.0]), []
 
-    def progress(done, count):
-        seen.append((done, count))
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
+    progress = Progress(lambda text, fraction: seen.append(fraction), lambda: len(seen) == 1)
+    with pytest.raises(Cancelled):
         tube_bodies(units, DEFAULT, progress=progress)
-    assert seen == [(1, 2)]
+    assert seen == [0.5]
 
 
 def test_another_thickness_than_the_unit_s_is_refused(single):
@@ -234,8 +234,8 @@ def test_spherical_units_with_both_pivots(pivot):
 def test_flexible_strips_fill_what_the_panels_leave():
     layout = unit_layout(thick([45.0], parameters=FLEXIBLE).axes[0], FLEXIBLE)
     solids = layout_solids(layout, FLEXIBLE)
-    panels = [(n, s) for n, s, material in solids if material == "rigid"]
-    strips = [(n, s) for n, s, material in solids if material == "flexible"]
+    panels = [(n, s) for n, s, kind in solids if kind != "flexure"]
+    strips = [(n, s) for n, s, kind in solids if kind == "flexure"]
     assert (len(panels), len(strips)) == (12, 20)
     contact = dict(panels)["contact_left"]
     assert contact.isValid()
@@ -243,7 +243,7 @@ def test_flexible_strips_fill_what_the_panels_leave():
     for name, strip in strips:
         assert strip.isValid()
         assert len(strip.Solids) == 1, name
-        if name in ("strip_leg_A_left", "strip_AB_left_upper", "strip_link_B"):
+        if name in ("flexure_leg_A_left", "flexure_AB_left_upper", "flexure_link_B"):
             assert contact.common(strip).Volume < 1e-6, name
             assert contact.distToShape(strip)[0] < 1e-6, name
             whole = whole.fuse(strip)
@@ -252,7 +252,7 @@ def test_flexible_strips_fill_what_the_panels_leave():
     assert len(whole.Solids) == 1
 
 
-_BESIDE_CONTACT = ("strip_leg_A_left", "strip_AB_left_upper", "strip_link_B")
+_BESIDE_CONTACT = ("flexure_leg_A_left", "flexure_AB_left_upper", "flexure_link_B")
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ import pytest
 
 from BistableWB import make
 from BistableWB.exporters import export, threemf
+from tests.judges import judge
 
 CONFIG = """printer_technology = FFF
 gcode_flavor = marlin
@@ -48,10 +49,24 @@ def supported(doc, valid):
 
 
 def test_every_material_has_an_extruder():
-    names = ["unit01_border_left", "support", "strip_crease", "unit01_link_B"]
-    assert threemf.extruders_for(names) == [1, 3, 2, 1]
-    assert threemf.extruders_for(names[:2]) == [1, 2]
-    assert threemf.extruders_for(names[:1]) == [1]
+    kinds = ["border", "support", "flexure", "link"]
+    assert threemf.extruders_for(kinds) == [1, 3, 2, 1]
+    assert threemf.extruders_for(kinds[:2]) == [1, 2]
+    assert threemf.extruders_for(kinds[:1]) == [1]
+
+
+def test_a_name_does_not_choose_the_material(doc, tmp_path):
+    """A box of the user's is printed in what panels are made of, whatever its label says."""
+    for label in ("Support bracket", "strip", "flexure"):
+        box = doc.addObject("Part::Box", "Box")
+        box.Label = label
+    doc.recompute()
+    path = export(doc.Objects, tmp_path / "a.3mf")
+    assert set(re.findall(r'key="extruder" value="(\d)"', slicer_file(path))) == {"1"}
+    with zipfile.ZipFile(path) as package:
+        model = package.read("3D/3dmodel.model").decode()
+    looks = re.findall(r'<base name="(\w+)"', model)
+    assert {looks[int(k)] for k in re.findall(r'p(?:index|1)="(\d+)"', model)} == {"other"}
 
 
 def slicer_file(path):
@@ -61,16 +76,46 @@ def slicer_file(path):
         return package.read(config[0]).decode() if config else None
 
 
-def test_prints_of_one_material_are_assemblies_unless_asked_otherwise(doc, valid, soft, tmp_path):
+def test_a_print_is_one_object_unless_asked_otherwise(doc, valid, soft, tmp_path):
     plain = make.make_hinge_coupon(doc)
     valid(doc)
-    assert slicer_file(export(plain, tmp_path / "a.3mf")) is None
-    assert slicer_file(export(soft, tmp_path / "a.3mf", one_object=False)) is None
-    one = slicer_file(export(plain, tmp_path / "a.3mf", one_object=True))
+    assert slicer_file(export(plain, tmp_path / "a.3mf", assembly=True)) is None
+    assert slicer_file(export(soft, tmp_path / "a.3mf", one_object=False)) is None  # as of 0.1.0
+    one = slicer_file(export(plain, tmp_path / "a.3mf"))
     assert re.findall(r'key="extruder" value="(\d)"', one) == ["1", "1"]
     several = slicer_file(export(soft, tmp_path / "a.3mf"))
     assert re.findall(r'key="extruder" value="(\d)"', several) == ["1", "1", "2"]
     assert re.findall(r'volume" key="name" value="(\w+)"', several) == list(soft.BodyNames)
+
+
+COARSE = ["--layer-height", "0.2", "--first-layer-height", "0.2", "--fill-density", "0"]
+SLICERS = {
+    "prusa-slicer": ["prusa-slicer", "-g", *COARSE],
+    "slic3r": ["slic3r", *COARSE],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("slicer", SLICERS)
+def test_slicers_print_the_stack_as_one_object_of_its_height(slicer, doc, valid, tmp_path):
+    if not shutil.which(slicer):
+        pytest.skip(f"needs {slicer}")
+    unit = make.make_bistable_unit(doc, theta=45, ratio=0.42, edge_length=45)
+    hinges = make.make_hinge_set(doc, unit)
+    valid(doc)
+    path = export(hinges, tmp_path / "print.3mf")
+    subprocess.run(
+        [*SLICERS[slicer], path.name, "-o", "print.gcode"],
+        cwd=tmp_path, capture_output=True, timeout=300, check=True,
+    )  # fmt: skip
+    text = (tmp_path / "print.gcode").read_text()
+    heights = np.array(re.findall(r"^G1 Z([\d.]+)", text, re.MULTILINE), float)
+    deposits = re.findall(r"^G1 X([\d.]+) Y([\d.]+) E", text, re.MULTILINE)
+    printed = len(re.findall(r"^;LAYER_CHANGE", text, re.MULTILINE)) or len(np.unique(heights))
+    assert printed * 0.2 == pytest.approx(hinges.PrintSize.z, abs=0.41)
+    extent = np.ptp(np.array(deposits, float), axis=0)
+    skirt = 16  # mm that a skirt may lie outside
+    assert (extent < np.array(tuple(hinges.PrintSize)[:2]) + skirt).all()
 
 
 @pytest.mark.slow
@@ -89,8 +134,8 @@ def test_prusa_slicer_prints_each_material_with_its_extruder(kind, request, tmp_
     used = re.search(r"; filament used \[cm3\] = (.*)", text).group(1)
     printed = np.array(used.split(","), float)[:2] * 1000
     volumes = np.zeros(2)
-    for name, shape in obj.Proxy.export_bodies(obj):
-        volumes[threemf.extruders_for(["panel", name])[1] - 1] += shape.Volume
+    for _, shape, kind in obj.Proxy.export_bodies(obj):
+        volumes[threemf.extruders_for(["contact", kind])[1] - 1] += shape.Volume
     assert printed == pytest.approx(volumes, rel=0.2)
     # nothing was pulled apart on the bed
     moves = re.findall(r"^G1 X([\d.]+) Y([\d.]+) E", text, re.MULTILINE)
@@ -100,17 +145,17 @@ def test_prusa_slicer_prints_each_material_with_its_extruder(kind, request, tmp_
 
 @pytest.mark.slow
 def test_lib3mf_reads_the_bodies_by_name(soft, supported, tmp_path):
-    lib3mf = pytest.importorskip("lib3mf")
+    lib3mf = judge("lib3mf")
     wrapper = lib3mf.get_wrapper()
     for obj in (soft, supported):
         for one in (False, True):
-            path = export(obj, tmp_path / "a.3mf", one_object=one)
+            path = export(obj, tmp_path / "a.3mf", assembly=not one)
             model = wrapper.CreateModel()
             reader = model.QueryReader("3mf")
             reader.SetStrictModeActive(True)
             reader.ReadFromFile(str(path))
             assert reader.GetWarningCount() == 0
-            bodies = dict(obj.Proxy.export_bodies(obj))
+            bodies = {name for name, _, _ in obj.Proxy.export_bodies(obj)}
             meshes = _each(model.GetMeshObjects(), "GetCurrentMeshObject")
             assert all(mesh.IsManifoldAndOriented() for mesh in meshes)
             if one:
@@ -119,7 +164,7 @@ def test_lib3mf_reads_the_bodies_by_name(soft, supported, tmp_path):
                 continue
             parts = _each(model.GetComponentsObjects(), "GetCurrentComponentsObject")
             named = {o.GetName() for o in (*meshes, *parts)} - {"", "a"}
-            assert named == set(bodies)
+            assert named == bodies
             assert model.GetUnit() == lib3mf.ModelUnit.MilliMeter
 
 

@@ -6,7 +6,8 @@ import FreeCAD as App
 import numpy as np
 import pytest
 
-from BistableWB import design_text, document_report, make
+from BistableWB import document_report, make
+from BistableWB.designs import writing
 
 SHORT = [(0, 0, 0), (40, 60, 0), (90, 60, 0), (130, 0, 0)]
 MOVED = App.Placement(App.Vector(10, 20, 100), App.Rotation(App.Vector(1, 0, 0), 90))
@@ -56,7 +57,7 @@ def test_a_part_of_a_tube_is_reported(doc, tube, valid, tmp_path, monkeypatch):
 
 def test_a_design_file_has_round_numbers(doc, tube):
     doc.TrianglePlacement.EdgeLength = "1.5 in"
-    text, _ = design_text.text_of(design_text.objects_of(tube), "Round")
+    text, _ = writing.text_of(writing.objects_of(tube), "Round")
     assert "edge_length = 38.1\n" in text
     assert "thickness = 1.8\n" in text
 

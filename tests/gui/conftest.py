@@ -2,6 +2,7 @@
 """Tests in FreeCAD's own window: see .ci/in-freecad --gui."""
 
 import contextlib
+import subprocess
 import time
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from PySide import QtCore, QtGui
 
 from BistableWB import make
+from tests.translations import load
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "build" / "screenshots"
 
@@ -51,6 +53,25 @@ def unit(gui):
     made = make.make_bistable_unit(doc, theta=45, edge_length=60)
     doc.recompute()
     return made
+
+
+@pytest.fixture
+def headless(tmp_path):
+    """``headless(code)``: runs it in a freecadcmd of its own, and gives the lines it printed.
+
+    By a file: freecadcmd 1.1 takes what follows its ``-c`` for the name of a file first, and ends
+    where that is longer than a name may be (255 bytes).
+    """
+
+    def running(code):
+        macro = tmp_path / "headless.py"
+        macro.write_text(code)
+        short = f"exec(open({str(macro)!r}).read()); import os; os._exit(0)"
+        command = ["freecadcmd", "-c", short]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        return done.stdout.splitlines()
+
+    return running
 
 
 @pytest.fixture
@@ -187,3 +208,19 @@ def mouse():
 def pixels(tmp_path):
     """``pixels()``: what the 3D view shows, on white, as a list of (red, green, blue)."""
     return lambda: view_colours(tmp_path / "view.png")
+
+
+@pytest.fixture(scope="session")
+def update():
+    return load("update")
+
+
+@pytest.fixture
+def german(gui):
+    if not hasattr(Gui, "setLocale"):
+        pytest.skip("this FreeCAD cannot change its language from Python")
+    Gui.setLocale("German")
+    gui(0.3)
+    yield gui
+    Gui.setLocale("English")
+    gui(0.3)

@@ -2,7 +2,6 @@
 """Auto-fit in the window: search, stop, proposals, preview, OK, undo, macro."""
 
 import math
-import subprocess
 import time
 
 import FreeCAD as App
@@ -12,6 +11,8 @@ from PySide import QtCore, QtGui
 
 from BistableWB import make
 from BistableWB.objects import type_of
+
+EDGE = make.NEW_TUBE["edge_length"]
 
 _kept = {}  # the proposals of the example arch: searched once
 
@@ -68,7 +69,7 @@ def fitted(panel, gui):
 def test_proposals_are_listed_and_drawn_and_seen(fitted, gui, screenshot):
     doc, rows = App.ActiveDocument, fitted.fit.candidates
     assert fitted.message.isHidden()
-    assert fitted.table.rowCount() == len(rows) == len(fitted.chart.points) > 3
+    assert fitted.table.rowCount() == len(rows) == len(fitted.chart.points) >= 3
     assert fitted.chosen is rows[0]
     assert shown(doc.BistableUnit) == shown(doc.TrianglePlacement) == -1
     corners = fitted._shown._root
@@ -109,7 +110,7 @@ def test_the_preview_is_what_ok_makes(fitted, gui):
     assert shown(doc.BistableUnit) != -1
     doc.undo()
     doc.recompute()
-    assert doc.TrianglePlacement.EdgeLength.Value == 40
+    assert doc.TrianglePlacement.EdgeLength.Value == EDGE
     doc.redo()
     assert doc.TrianglePlacement.EdgeLength.Value == pytest.approx(chosen.edge_length)
 
@@ -123,7 +124,7 @@ def test_cancel_leaves_everything_as_it_was(fitted, gui):
     assert view.getSceneGraph().getNumChildren() == children - 1
     assert shown(doc.BistableUnit) != -1
     assert doc.UndoNames == steps
-    assert doc.TrianglePlacement.EdgeLength.Value == 40
+    assert doc.TrianglePlacement.EdgeLength.Value == EDGE
 
 
 def test_ok_before_a_proposal_says_what_to_do(panel, gui):
@@ -134,16 +135,16 @@ def test_ok_before_a_proposal_says_what_to_do(panel, gui):
 
 
 def test_wrong_wishes_are_told_beside_their_field(panel, gui, screenshot):
-    panel.wishes.fields["height_ratio"].setValue(0)
+    panel.requirements.fields["height_ratio"].setValue(0)
     panel.start()
-    assert "HeightRatio is 0" in panel.wishes.errors["HeightRatio"].text()
-    assert panel.wishes.errors["HeightRatio"].isVisibleTo(panel.form)
+    assert "Height ratio is 0" in panel.requirements.errors["HeightRatio"].text()
+    assert panel.requirements.errors["HeightRatio"].isVisibleTo(panel.form)
     screenshot("auto-fit-error")
-    panel.wishes.fields["height_ratio"].setValue(2.5)
-    for spin in panel.wishes.bed:
+    panel.requirements.fields["height_ratio"].setValue(2.5)
+    for spin in panel.requirements.bed:
         spin.setValue(30)
     search(panel, gui)
-    assert not panel.wishes.errors["HeightRatio"].isVisibleTo(panel.form)
+    assert not panel.requirements.errors["HeightRatio"].isVisibleTo(panel.form)
     assert panel.message.text().startswith("Nothing fits.")
     assert panel.chosen is None
 
@@ -168,14 +169,13 @@ def test_wishes_come_from_the_hinge_set(gui):
     units = make.make_bistable_unit(doc, make.make_triangle_placement(doc, curve))
     hinges = make.make_hinge_set(doc, units)
     hinges.FaceThickness, hinges.Bed = 2, App.Vector(180, 170, 160)
-    wanted = AutoFitPanel(units.Triangles).wishes.wanted()
+    wanted = AutoFitPanel(units.Triangles).requirements.wanted()
     assert (wanted.face_thickness, wanted.bed) == (2, (180, 170, 160))
     assert wanted.play == pytest.approx(0.4 / math.tan(math.radians(55)), abs=5e-3)
-    assert wanted.strain_limit == pytest.approx(0.02)
 
 
 def test_a_bare_curve_gets_triangles_and_units_and_the_macro_replays(
-    gui, fitted, monkeypatch, tmp_path
+    gui, fitted, monkeypatch, headless
 ):
     from BistableWB import fitting
     from BistableWB.taskpanels.auto_fit import AutoFitPanel
@@ -193,15 +193,12 @@ def test_a_bare_curve_gets_triangles_and_units_and_the_macro_replays(
     assert types == ["Curve", "TrianglePlacement", "BistableUnit"]
     assert doc.UndoNames == ["Auto-fit", "Curve"]
     expected = [doc.TrianglePlacement.Count, doc.BistableUnit.Shape.Area]
-    macro = tmp_path / "fit.py"
-    macro.write_text(
+    lines = headless(
         "import FreeCAD as App, BistableWB\nApp.newDocument('Replay')\n"
         + "\n".join(recorded)
         + "\nprint('made', doc.TrianglePlacement.Count, doc.BistableUnit.Shape.Area, flush=True)\n"
     )
-    code = f"exec(open({str(macro)!r}).read()); import os; os._exit(0)"
-    done = subprocess.run(["freecadcmd", "-c", code], capture_output=True, text=True, check=True)
-    (line,) = [line for line in done.stdout.splitlines() if line.startswith("made ")]
+    (line,) = [line for line in lines if line.startswith("made ")]
     assert [float(x) for x in line.split()[1:]] == pytest.approx(expected)
 
 
@@ -225,3 +222,23 @@ def test_hinge_sets_follow_a_proposal(gui, fitted):
     assert doc.TrianglePlacement.Thickness.Value == pytest.approx(1.8)
     margins = panel.chosen.margin_min, fitted.fit.wanted.margin
     assert hinges.SnapMargins[0] > 0.9 * min(margins)
+
+
+def test_ok_aims_at_what_the_tube_carries_beside_the_window(fitted, gui, monkeypatch):
+    from BistableWB.taskpanels.aiming import AimButton
+    from BistableWB.taskpanels.plots import dock
+
+    doc, asked = App.ActiveDocument, []
+    assert not fitted.aim.isEnabled()  # no hinges, no weight
+    assert fitted.aim.asked() == {}
+    hinges = make.make_hinge_set(doc, doc.BistableUnit)
+    doc.recompute()
+    fitted.hinges.append(hinges)
+    fitted.aim.setEnabled(True)
+    fitted.aim.kind.setCurrentIndex(1)
+    fitted.aim.number.setValue(1.4)
+    monkeypatch.setattr(AimButton, "_begin", lambda self: asked.append((self.obj, self._asked())))
+    assert fitted.accept()
+    assert asked == [(hinges, {"carry": 1.4})]
+    assert dock().isVisible()
+    dock().hide()

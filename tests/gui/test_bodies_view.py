@@ -11,7 +11,8 @@ from PySide import QtGui
 
 from BistableWB import colours, make
 from BistableWB.commands.base import fit_view
-from BistableWB.viewproviders import attach_missing, faces
+from BistableWB.scene import faces
+from BistableWB.viewproviders import attach_missing
 
 
 @pytest.fixture

@@ -11,11 +11,12 @@ import pytest
 from pivy import coin
 from PySide import QtGui
 
-from BistableWB import make, openscad
-from BistableWB.checks import ERROR, NOTE, WARNING, Finding
+from BistableWB import make
 from BistableWB.commands.base import fit_view
+from BistableWB.origami.errors import ERROR, NOTE, WARNING, Finding, phrase
+from BistableWB.programs import openscad
+from BistableWB.scene.pointer import Pointer, elements_of
 from BistableWB.taskpanels.check import CheckPanel
-from BistableWB.viewproviders.pointer import Pointer, elements_of
 
 
 @pytest.fixture
@@ -113,14 +114,21 @@ def test_marks_stay_on_the_body_whatever_the_view_shows(hinges, gui):
     scene = Gui.getDocument(hinges.Document).ActiveView.getSceneGraph()
     model = hinges.Proxy.model(hinges)
     index = hinges.BodyNames.index("unit01_secondary_right_upper")
-    centre = model.bodies[index].shape.CenterOfMass
+    centre = model.bodies[index].shape.Solids[0].CenterOfMass
     pointer = Pointer(hinges)
     hinges.Placement.Base = App.Vector(100, 0, 0)
     for opening, state in ((None, 0.0), (0.0, 0.0), (0.0, 1.0)):
         hinges.Deployment = state
         hinges.Document.recompute()
         finding = Finding(
-            ERROR, "wall", (hinges.BodyNames[index],), 0, 0, "x.", "", (tuple(centre),), opening
+            severity=ERROR,
+            code="wall",
+            bodies=(hinges.BodyNames[index],),
+            number=0,
+            limit=0,
+            message=phrase("x."),
+            points=(tuple(centre),),
+            opening=opening,
         )
         pointer.show(finding)
         (mark,) = marks(scene)
@@ -137,8 +145,24 @@ def test_a_unit_stands_for_its_bodies(hinges):
 
 def test_only_the_worst_of_many_findings_are_shown(panel_of, coupon, gui):
     panel = panel_of(coupon)
-    many = [Finding(NOTE, "x", (), None, None, f"Note {k}.") for k in range(50)]
-    many.append(Finding(WARNING, "x", (), None, None, "A late warning."))
+    many = [
+        Finding(
+            severity=NOTE,
+            code="x",
+            message=phrase(
+                "Note {k}.",
+                k=k,
+            ),
+        )
+        for k in range(50)
+    ]
+    many.append(
+        Finding(
+            severity=WARNING,
+            code="x",
+            message=phrase("A late warning."),
+        )
+    )
 
     def broken():
         raise RuntimeError("oh")

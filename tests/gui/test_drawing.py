@@ -7,9 +7,9 @@ import pytest
 from PySide import QtCore, QtGui
 
 from BistableWB import make
-from BistableWB.viewproviders.camera import Camera
-from BistableWB.viewproviders.handles import canvas_of_active_view as canvas
-from BistableWB.viewproviders.handles import plane_normal
+from BistableWB.scene.camera import Camera
+from BistableWB.scene.handles import canvas_of_active_view as canvas
+from BistableWB.scene.handles import plane_normal
 
 
 def pixel_of(point):

@@ -4,6 +4,7 @@
 import importlib
 import inspect
 import json
+import math
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -15,7 +16,6 @@ from BistableWB import exporters, make
 from BistableWB.commands import importing, output
 from BistableWB.objects import type_of
 from BistableWB.objects.bistable_unit import tube_of
-from BistableWB.taskpanels.export import OPTIONS
 
 SVG = """<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="200mm" viewBox="0 0 300 200">
 <path d="M0 150 C 60 30 180 30 240 150"/>{}</svg>"""
@@ -51,6 +51,9 @@ def test_a_drawing_becomes_a_curve_in_one_step(gui, asked, tmp_path, monkeypatch
     recorded, do_command = [], Gui.doCommand
     monkeypatch.setattr(Gui, "doCommand", lambda line: (recorded.append(line), do_command(line)))
     Gui.runCommand("Bistable_Import")
+    gui(0.2)
+    assert App.ActiveDocument.Objects == []
+    press(QtGui.QDialogButtonBox.Ok, gui)
     doc = App.ActiveDocument
     curve = doc.Objects[-1]
     assert type_of(curve) == "Bistable::Curve"
@@ -66,20 +69,84 @@ def test_a_drawing_becomes_a_curve_in_one_step(gui, asked, tmp_path, monkeypatch
 
 def test_of_several_curves_one_is_chosen(gui, tmp_path, screenshot):
     path = tmp_path / "two.svg"
-    path.write_text(SVG.format('<path d="M10 10 L 90 10"/>'))
-    menu = importing.import_file(str(path))
-    gui()
-    texts = [action.text() for action in menu.actions()]
-    assert texts == ["Curve 1: 316.1 mm", "Curve 2: 80 mm"]
-    menu.actions()[1].trigger()
-    menu.close()
-    assert App.ActiveDocument.Objects[-1].Length.Value == pytest.approx(80)
+    path.write_text(SVG.format('<g id="Rail"><path d="M10 10H50"/><path d="M50.4 10H90"/></g>'))
+    panel = importing.import_file(str(path))
+    gui(0.3)
+    table = panel.table
+
+    def shown():
+        return [[table.item(r, c).text() for c in (1, 2)] for r in range(table.rowCount())]
+
+    assert shown() == [["", "316.1 mm"], ["Rail", "40 mm"], ["Rail", "39.6 mm"]]
+    assert not table.item(0, 0).icon().isNull()
+    assert "Unit: mm (width, height and viewBox of the picture)" in panel.receipt.text()
+    panel.join.setValue(0.5)
+    panel.scale.setValue(2)
+    panel.refresh()
+    assert shown() == [["", "632.2 mm"], ["Rail", "80 mm"], ["Rail", "79.2 mm"]]
+    panel.join.setValue(0.81)
+    panel.refresh()
+    screenshot("import-curves")
+    assert shown() == [["", "632.2 mm"], ["Rail", "159.2 mm"]]
+    table.selectRow(1)
+    press(QtGui.QDialogButtonBox.Ok, gui)
+    assert not Gui.Control.activeDialog()
+    assert App.ActiveDocument.Objects[-1].Length.Value == pytest.approx(159.2)
+
+
+def test_a_drawing_of_unknown_size_asks_for_its_scale(gui, tmp_path):
+    path = tmp_path / "old.svg"
+    old = 'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" inkscape:version="0.48.5"'
+    path.write_text(SVG.format("").replace('mm"', '"').replace("<svg", f"<svg {old}"))
+    panel = importing.import_file(str(path))
+    gui(0.2)
+    assert "whose pixel is 1/90 inch" in panel.receipt.text()
+    assert not panel.accept()
+    panel.scale.setValue(1.066667)
+    press(QtGui.QDialogButtonBox.Ok, gui)
+    assert App.ActiveDocument.Objects[-1].Length.Value == pytest.approx(316.1 * 25.4 / 90, rel=1e-4)
+
+
+def test_the_corner_radius_of_the_panel_rounds_the_curve(gui, tmp_path, screenshot, monkeypatch):
+    recorded, do_command = [], Gui.doCommand
+    monkeypatch.setattr(Gui, "doCommand", lambda line: (recorded.append(line), do_command(line)))
+    path = tmp_path / "zigzag.svg"
+    zigzag = "M0 0 L50 0 L50 50 L100 50 L100 90"
+    path.write_text(SVG.format("").split("<path")[0] + f'<path d="{zigzag}"/></svg>')
+    panel = importing.import_file(str(path))
+    gui(0.3)
+    field = panel.form.findChild(QtGui.QDoubleSpinBox, "CornerRadius")
+    assert field.value() == 0
+    assert "Radius by which kinks are rounded" in field.toolTip()
+    field.setValue(10)
+    gui(0.1)
+    screenshot("import-corner-radius")
+    press(QtGui.QDialogButtonBox.Ok, gui)
+    curve = App.ActiveDocument.Objects[-1]
+    assert curve.isValid()
+    assert curve.CornerRadius.Value == 10
+    straight, rounded = 190, 3 * (2 * 10 - 10 * math.pi / 2)
+    assert curve.Length.Value == pytest.approx(straight - rounded, rel=1e-4)
+    assert "curve.CornerRadius = 10" in recorded
+    screenshot("imported-corner-radius")
+
+
+def test_cancel_of_an_import_makes_nothing(gui, tmp_path):
+    path = tmp_path / "one.csv"
+    path.write_text("0,0\n60,40\n120,0\n")
+    importing.import_file(str(path))
+    gui(0.2)
+    assert importing.import_file(str(path)) is None  # one panel at a time
+    press(QtGui.QDialogButtonBox.Cancel, gui)
+    assert not Gui.Control.activeDialog()
+    assert App.ActiveDocument is None
 
 
 def test_points_in_space_make_a_curve_of_kind_general(gui, tmp_path):
     path = tmp_path / "space.csv"
     path.write_text("0,0,0\n220,-60,20\n330,150,90\n160,320,60\n")
-    assert importing.import_file(str(path)) is None
+    assert importing.import_file(str(path)).accept()
+    Gui.Control.closeDialog()
     curve = App.ActiveDocument.Objects[-1]
     assert curve.Kind == "General"
     assert curve.isValid(), curve.getStatusString()
@@ -125,10 +192,13 @@ def test_freecads_own_import_and_export_know_fold(unit, tmp_path):
     assert back.Shape.Area == pytest.approx(unit.Shape.Area)
 
 
-@pytest.mark.parametrize("suffix", OPTIONS)
+@pytest.mark.parametrize("suffix", exporters.FORMATS)
 def test_the_panel_offers_options_that_exist(suffix):
-    writer = __import__(f"BistableWB.exporters.{exporters.FORMATS[suffix]}", fromlist=["write"])
-    assert set(OPTIONS[suffix]) <= set(inspect.signature(writer.write).parameters)
+    writer = __import__(
+        f"BistableWB.exporters.{exporters.FORMATS[suffix].module}", fromlist=["write"]
+    )
+    entry, known = exporters.FORMATS[suffix], set(inspect.signature(writer.write).parameters)
+    assert {*entry.keys, *entry.panel, *entry.options} == known - {"bodies", "path"}
 
 
 def test_nets_are_written_with_the_options_of_the_panel(unit, gui, asked, screenshot, tmp_path):
@@ -185,3 +255,22 @@ def test_a_state_is_chosen_with_the_format(unit, asked, tmp_path):
     assert output.ask_for_path(hinges) == ("", {})
     assert "STL, flat (*.stl)" not in questions[-1]  # a print is flat anyway
     assert "STL, deployed (*.stl)" in questions[-1]
+
+
+def test_export_check_and_report_take_all_selected_prints(gui, asked, tmp_path, monkeypatch):
+    doc = App.newDocument("Plate")
+    coupons = [make.make_hinge_coupon(doc) for _ in "ab"]
+    doc.recompute()
+    for coupon in coupons:
+        Gui.Selection.addSelection(coupon)
+    path = tmp_path / "plate.stl"
+    asked(path)
+    Gui.runCommand("Bistable_ExportPrint")
+    wanted = exporters.export(coupons, tmp_path / "wanted.stl")
+    assert path.stat().st_size == wanted.stat().st_size
+    Gui.runCommand("Bistable_Check")
+    gui(0.3)
+    boxes = Gui.getMainWindow().findChildren(QtGui.QWidget, "BistableCheck")
+    assert len([box for box in boxes if box.isVisible()]) == 2
+    press(QtGui.QDialogButtonBox.Close, gui)
+    assert not Gui.Control.activeDialog()

@@ -1,39 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """German: complete, up to date, and what the window shows."""
 
-import importlib.util
 import re
 from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 import pytest
 from PySide import QtCore, QtGui
 
-from BistableWB import RESOURCES, TRANSLATIONS, make
+from BistableWB import RESOURCES, TRANSLATIONS, imports, make
 from BistableWB.commands import COMMANDS, files, output
-from BistableWB.taskpanels import sentences
+from BistableWB.language.words import in_words
+from BistableWB.objects import TYPES, proxy_class
+from BistableWB.origami.errors import Choice, Refusal, phrase, verbatim
+from BistableWB.origami.hinges.parameters import HingeParameters
+from BistableWB.origami.snap.materials import MATERIALS
 from BistableWB.taskpanels.check import CheckPanel
-
-
-@pytest.fixture(scope="module")
-def update():
-    path = TRANSLATIONS / "update.py"
-    spec = importlib.util.spec_from_file_location("bistable_translations", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-@pytest.fixture
-def german(gui):
-    if not hasattr(Gui, "setLocale"):
-        pytest.skip("this FreeCAD cannot change its language from Python")
-    Gui.setLocale("German")
-    gui(0.3)
-    yield gui
-    Gui.setLocale("English")
-    gui(0.3)
+from tests.hostile import HOSTILE
 
 
 def test_every_text_is_translated(update):
@@ -54,6 +39,33 @@ def test_placeholders_survive_translation(update):
     for (_, text), german in update.read(TRANSLATIONS / "Bistable_de.ts").items():
         fields, same = (sorted(re.findall(r"\{.*?\}", side)) for side in (text, german))
         assert same == fields, text
+
+
+def test_sentences_call_a_choice_what_the_panel_calls_it(update):
+    """But where a value of a macro is unknown: there its English name is what must be written."""
+    known = update.read(TRANSLATIONS / "Bistable_de.ts")
+    choices = {one: known[update.TABLES, one] for one in update.CHOICES}
+    english = [one for one, own in choices.items() if one.lower() not in own.lower()]
+    named = re.compile("|".join(rf"\b{one}\b" for one in english))
+    found = {
+        text: german
+        for (context, text), german in known.items()
+        if context == "BistableSentence" and "unbekannt" not in german and named.search(german)
+    }
+    assert found == {}
+
+
+def test_every_choice_of_a_panel_is_translated(update):
+    """But names of materials and of columns of the paper's tables."""
+    names = re.compile(r"Hinge\d|" + "|".join(map(re.escape, MATERIALS)))
+    choices = {
+        one
+        for name in TYPES
+        for prop in proxy_class(name).PROPERTIES
+        if prop.kind == "Enumeration" and prop.default
+        for one in prop.default
+    }
+    assert {one for one in choices if not names.fullmatch(one)} <= set(update.CHOICES)
 
 
 def outline(path):
@@ -102,57 +114,61 @@ def test_the_window_speaks_german(german, screenshot):
     gui(0.2)
 
 
-def test_every_template_is_found_again(german, update):
-    """A finished sentence, whatever numbers or names are in it, is said by its own template."""
-    known = update.read(TRANSLATIONS / "Bistable_de.ts")
-    templates = {text for context, text in known if context == sentences.CONTEXT}
-    assert len(templates) > 300
-    for text in templates:
-        for value in ("1.25", "body_{}"):
-            filled, own = text, known[sentences.CONTEXT, text]
-            for k in range(10):
-                filled, own = (s.replace(f"{{{k}}}", value.format(k)) for s in (filled, own))
-            assert sentences.in_own_language(filled) == own, text
-
-
 SAID = {
-    "Ratio of unit 2 is 0.5: for theta 80° it must be at least sin(theta/2) = 0.642788 and below "
-    "1; change Ratio or make theta smaller (shorter edge or smaller Gamma).": "Ratio von Einheit 2 "
-    "ist 0.5: für theta 80° muss es mindestens sin(theta/2) = 0.642788 und unter 1 sein; Ratio "
-    "ändern oder theta verkleinern (kürzere Kante oder kleineres Gamma).",
-    "Unit 3: Hinge leg_left: only 2.5 mm are left between its vertices and three segments need 12 "
-    "mm; set EdgeLength ‖AB‖ to 80 mm, or make FaceThickness or GapLength smaller. (Also units 4, "
-    "5.)": "Einheit 3: Scharnier leg_left: nur 2.5 mm bleiben zwischen seinen Ecken, und drei "
-    "Glieder brauchen 12 mm; EdgeLength ‖AB‖ auf 80 mm einstellen, oder FaceThickness oder "
-    "GapLength verkleinern. (Auch Einheiten 4, 5.)",
-    "Layers of 0.2 mm lay 3 mm² of b directly on a (and of 2 other pairs), which welds them.":
-    "Schichten von 0.2 mm legen 3 mm² von b direkt auf a (und bei 2 anderen Paaren), was sie "
-    "verschweißt.",
-    "3 bodies start in mid-air, tab_1 first, 8.1 mm above the bed and more than 5 mm above "
-    "anything else.": "3 Körper beginnen mitten in der Luft, zuerst tab_1, 8.1 mm über dem Bett "
-    "und mehr als 5 mm über allem anderen.",
-    "Units 1, 2, 3 and 4 more of 9 are floppy, margin 0.50 at the least, and nothing but friction "
-    "holds the deployed state.": "Einheiten 1, 2, 3 und 4 weitere von 9 sind schlaff, Reserve "
-    "mindestens 0.50, und nur Reibung hält den entfalteten Zustand.",
-    "Nothing fits. 12 combinations tried; cannot follow the curve: 3, as “Level: legs through a "
-    "viewpoint have no level; switch Level off.”; open wider than the 60° that a sphere allows: 9. "
-    "Make the curve gentler.": "Nichts passt. 12 Kombinationen versucht; können der Kurve nicht "
-    "folgen: 3, wie „Level: Schenkel durch einen Blickpunkt liegen nicht waagerecht; Level "
-    "ausschalten.“; öffnen weiter als die 60°, die eine Kugel erlaubt: 9. Die Kurve sanfter "
-    "machen.",
-    # what others say stays whole, rather than half German
-    "Wire 7 is broken: ask those who made it.": "Wire 7 is broken: ask those who made it.",
+    phrase(
+        "Unit {unit}: {note}",
+        unit=3,
+        note=phrase("Hinge {hinge} has room for {count} segments instead of {wanted}.",
+                    hinge="wall", count=3, wanted=5),
+    ): "Einheit 3: Scharnier wall hat Platz für 3 Glieder statt 5.",
+    Refusal(
+        "{Level}: legs through a viewpoint have no level; switch {Level} off.", parameter="Level"
+    ): "Waagerecht: Schenkel durch einen Blickpunkt liegen nicht waagerecht; Waagerecht "
+    "ausschalten.",
+    verbatim("Wire 7 of unit 3 is broken: ask those who made it."): "Wire 7 of unit 3 is broken: "
+    "ask those who made it.",
 }  # fmt: skip
 
 
 def test_phrases_in_a_sentence_are_german_too(german):
-    for sentence, own in SAID.items():
-        assert sentences.in_own_language(sentence) == own
+    for said, own in SAID.items():
+        assert in_words(said) == own
+
+
+def test_choices_in_a_sentence_are_what_the_panels_call_them(german, screenshot):
+    with pytest.raises(Refusal) as refused:
+        HingeParameters(process="Powder", gap_length=0.1).check()
+    assert "Powder keeps no gap" in str(refused.value)
+    assert "Pulver" in in_words(refused.value)
+    assert "Powder" not in in_words(refused.value)
+    said = phrase("{Material}: {material} ({label})", material=Choice("Resin"), label="Resin")
+    assert in_words(said) == "Werkstoff: Harz (Resin)"
+    Gui.activateWorkbench("BistableWorkbench")
+    doc = App.newDocument("Auswahl")
+    curve = make.make_curve(doc)
+    doc.recompute()
+    shown = shown_in_panel(curve, german, lambda: screenshot("german-curve"))
+    assert curve.FoundKind == "Plane"
+    assert "Ebene" in shown
+    assert "Plane" not in shown
+
+
+PICTURE = """<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="90mm"
+viewBox="0 0 200 90"><path d="M0 0 L100 50 L190 80" stroke="red" fill="none"/>
+<g display="none"><path d="M0 0 L9 9" stroke="red"/></g><text>hidden</text></svg>"""
+
+
+def test_what_an_import_left_out_is_told_in_german(german, tmp_path):
+    path = tmp_path / "group.svg"
+    path.write_text(PICTURE, encoding="utf-8")
+    told = [in_words(one) for one in imports.curves_in(path).receipt.phrases()]
+    assert "Ausgelassen: 1 × Gruppe (nicht angezeigt)" in told
+    assert "Ausgelassen: 1 × Text (kein Pfad: in einen Pfad umwandeln)" in told
 
 
 def test_sentences_stay_english_in_an_english_window(gui):
-    for sentence in SAID:
-        assert sentences.in_own_language(sentence) == sentence
+    refusal = list(SAID)[1]
+    assert in_words(refusal) == str(refusal)
 
 
 def test_refusals_warnings_and_findings_of_objects_are_german(german, screenshot, monkeypatch):
@@ -165,7 +181,9 @@ def test_refusals_warnings_and_findings_of_objects_are_german(german, screenshot
     doc.recompute()
     triangles.EdgeLength = 5000
     doc.recompute()
-    assert "is too long for this curve" in triangles.getStatusString()  # whoever reads it later
+    # what the tree's tooltip and the report view show
+    assert "zu lang für diese Kurve" in triangles.getStatusString()
+    assert "is too long for this curve" in str(triangles.Proxy.refusal)
     shown = shown_in_panel(triangles, gui, lambda: screenshot("german-refusal"))
     assert any("zu lang für diese Kurve" in text for text in shown)
     triangles.EdgeLength, triangles.Thickness, unit.HingePlay = 40, 1.8, 2
@@ -212,6 +230,53 @@ def test_the_findings_of_a_check_are_german(german, screenshot):
     gui(0.2)
     findings = [found for several in panel.findings for found in several]
     assert len(findings) > 3
-    assert all(any(sentences.finding_text(one) in text for text in shown) for one in findings)
+    assert all(any(in_words(one) in text for text in shown) for one in findings)
     english = re.compile(r"\b(?:the|of|is|are|and|than|make|set|that|with)\b")
     assert not [text for text in shown if english.search(text)]
+
+
+@pytest.mark.parametrize("label", ["wall", "Unit 1", "{0}", "{EdgeLength}", "of unit 3"])
+def test_a_label_stays_as_it_is_in_german(german, label):
+    assert label in HOSTILE
+    Gui.activateWorkbench("BistableWorkbench")
+    doc = App.newDocument("Namen")
+    source = doc.addObject("Part::Feature", "Pieces")
+    lines = (((0, 0, 0), (100, 0, 0)), ((100, 50, 0), (100, 150, 0)))
+    source.Shape = Part.makeCompound([Part.makeLine(*map(App.Vector, line)) for line in lines])
+    source.Label = label
+    curve = make.make_curve(doc, source=source)
+    doc.recompute()
+    shown = shown_in_panel(curve, german)
+    told = f"Vorlage {label} zerfällt in 2 getrennte Stücke (die kleinste Lücke ist 50 mm "
+    assert [text for text in shown if text.startswith(told)]
+
+
+def test_a_refusal_is_told_beside_the_field_of_its_parameter(german):
+    Gui.activateWorkbench("BistableWorkbench")
+    doc = App.newDocument("Winkel")
+    triangles = make.make_triangle_placement(doc, make.make_curve(doc))
+    triangles.Gamma = 120
+    doc.recompute()
+    beside = {}
+
+    def look():
+        form = Gui.getMainWindow().findChild(QtGui.QWidget, "BistablePanel")
+        for label in form.findChildren(QtGui.QLabel):
+            if label.objectName().endswith("_error") and label.text():
+                beside[label.objectName()] = label.text()
+
+    shown_in_panel(triangles, german, look)
+    assert list(beside) == ["Gamma_error"]
+    assert beside["Gamma_error"].startswith("Gamma ist 120°: ")
+
+
+def test_refusals_and_receipts_of_imports_are_in_german(german, tmp_path):
+    path = tmp_path / "choose a curve.csv"  # a name that is itself a text of ours
+    path.write_text("1,2\n1,2\n")
+    with pytest.raises(Refusal, match="different points") as refused:
+        imports.curves_in(path)
+    said = in_words(refused.value)
+    assert said.startswith("choose a curve.csv hat 1 verschiedene Punkte: gib einen Punkt je Zeile")
+    path.write_text("0,0\n60,40\n120,0\n")
+    told = [in_words(one) for one in imports.curves_in(path).receipt.phrases()]
+    assert told == ["Einheit: mm (keine Einheit angegeben: als mm gelesen)"]

@@ -8,18 +8,18 @@ import FreeCADGui as Gui
 import pytest
 from PySide import QtGui
 
-from BistableWB import colours, make
+from BistableWB import make
 from BistableWB.commands import output
 from BistableWB.commands.base import fit_view
 from BistableWB.objects import type_of
-from BistableWB.viewproviders import bodies, faces
+from BistableWB.scene import faces
 
 
 def short_tube():
     """Four units."""
     doc = App.newDocument("Short")
     curve = make.make_curve(doc, points=[(0, 0, 0), (40, 80, 0), (110, 80, 0)])
-    triangles = make.make_triangle_placement(doc, curve, edge_length=40)
+    triangles = make.make_triangle_placement(doc, curve, edge_length=60)
     make.make_bistable_unit(doc, triangles)
     doc.recompute()
     return doc
@@ -46,12 +46,17 @@ def test_hinge_set_of_a_tube(gui, screenshot):
     screenshot("hinge-set-deployed")
 
 
-def test_a_body_is_coloured_by_its_kind():
-    assert bodies.body_colour("unit01_secondary_left_upper") == colours.rgb(
-        colours.PANELS["secondary"]
-    )
-    assert bodies.body_colour("block01_02") == colours.rgb(colours.PANELS["contact"])
-    assert bodies.body_colour("strip_AB") == colours.rgb(bodies.STRIP)
+def test_bodies_of_a_file_of_before_they_had_kinds_are_coloured_by_what_they_are():
+    """Their names, which version 0.1 gave them, are read once."""
+    doc = App.newDocument()
+    coupon = make.make_hinge_coupon(doc)
+    coupon.BodyNames = ["unit01_secondary_left_upper", "block12_13", "strip_AB", "unit02_link_B"]
+    for name in ("BodyKinds", "BodyUnits"):
+        coupon.removeProperty(name)
+    coupon.Proxy.onDocumentRestored(coupon)
+    assert coupon.BodyKinds == ["secondary", "block", "flexure", "link"]
+    assert coupon.BodyUnits == [1, 12, 1, 2]
+    App.closeDocument(doc.Name)
 
 
 def test_coupon_export_and_check(gui, screenshot, tmp_path, capfd):
@@ -63,7 +68,7 @@ def test_coupon_export_and_check(gui, screenshot, tmp_path, capfd):
     output.write(coupon, str(target))
     assert target.stat().st_size > 1000
     assert "was written to" in capfd.readouterr().out
-    from BistableWB.viewproviders import settings
+    from BistableWB import settings
 
     assert settings.group().GetString("ExportFolder") == str(tmp_path)
     Gui.runCommand("Bistable_Check")

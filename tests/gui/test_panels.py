@@ -8,6 +8,8 @@ from PySide import QtGui
 
 from BistableWB import make
 
+EDGE = make.NEW_TUBE["edge_length"]
+
 
 @pytest.fixture
 def tube(gui):
@@ -56,10 +58,11 @@ def panel_is_open():
 def test_ok_keeps_the_change_as_one_undo_step(gui, tube, screenshot):
     triangles, units = tube.TrianglePlacement, tube.BistableUnit
     before = triangles.Count
+    assert triangles.EdgeLength.Value == EDGE
     form = open_panel(triangles, gui)
     type_into(form, "EdgeLength", "55 mm", gui)
     assert triangles.EdgeLength.Value == 55
-    assert triangles.Count < before  # live
+    assert triangles.Count > before  # live: shorter units, more of them
     assert len(units.Shape.Faces) == 12 * triangles.Count
     screenshot("panel-triangles")
     press(OK, gui)
@@ -67,7 +70,7 @@ def test_ok_keeps_the_change_as_one_undo_step(gui, tube, screenshot):
     assert tube.UndoNames[0] == f"Edit {triangles.Label}"
     tube.undo()
     tube.recompute()
-    assert (triangles.EdgeLength.Value, triangles.Count) == (40, before)
+    assert (triangles.EdgeLength.Value, triangles.Count) == (EDGE, before)
     tube.redo()
     tube.recompute()
     assert triangles.EdgeLength.Value == 55
@@ -80,7 +83,7 @@ def test_cancel_leaves_everything_as_it_was(gui, tube):
     type_into(form, "EdgeLength", "55 mm", gui)
     press(CANCEL, gui)
     assert not panel_is_open()
-    assert (triangles.EdgeLength.Value, triangles.Count) == (40, before)
+    assert (triangles.EdgeLength.Value, triangles.Count) == (EDGE, before)
     assert len(tube.BistableUnit.Shape.Faces) == 12 * before
     assert tube.UndoNames == steps
 
@@ -93,7 +96,7 @@ def test_a_refused_input_is_explained_beside_its_field(gui, tube, screenshot):
     screenshot("panel-refused")
     press(OK, gui)
     assert panel_is_open()  # not accepted
-    type_into(form, "Ratio", "0.6", gui)
+    type_into(form, "Ratio", "0.8", gui)
     assert error_of(form, "Ratio") == ""
     press(OK, gui)
     assert not panel_is_open()
@@ -152,7 +155,7 @@ def test_heavy_solids_wait_for_apply(gui, screenshot):
     type_into(form, "GapLength", "0.05 mm", gui)
     form.findChild(QtGui.QPushButton, "Apply").click()
     gui()
-    assert "GapLength" in error_of(form, "GapLength")
+    assert "Gap length" in error_of(form, "GapLength")
     press(CANCEL, gui)
     assert hinges.FaceThickness.Value == 1.2
     assert hinges.PrintSize == size
@@ -197,7 +200,7 @@ def test_a_double_click_in_the_tree_edits_in_one_step(gui, tube, mouse, screensh
     press(OK, gui)
     assert tube.UndoNames == ["Edit TrianglePlacement", *steps]
     tube.undo()
-    assert tube.TrianglePlacement.EdgeLength.Value == 40
+    assert tube.TrianglePlacement.EdgeLength.Value == EDGE
 
 
 def test_what_a_panel_changed_is_recorded(gui, tube, monkeypatch):
@@ -207,6 +210,16 @@ def test_what_a_panel_changed_is_recorded(gui, tube, monkeypatch):
     type_into(form, "EdgeLength", "55 mm", gui)
     press(OK, gui)
     assert recorded[1:] == ["doc.TrianglePlacement.EdgeLength = 55.0"]
+    assert tube.TrianglePlacement.Tolerance.Value == pytest.approx(0.55)  # went along by itself
+    recorded.clear()
+    form = open_panel(tube.TrianglePlacement, gui)
+    type_into(form, "Tolerance", "2 mm", gui)
+    type_into(form, "EdgeLength", "50 mm", gui)
+    press(OK, gui)
+    assert recorded[1:] == [
+        "doc.TrianglePlacement.EdgeLength = 50.0",
+        "doc.TrianglePlacement.Tolerance = 2.0",
+    ]
     recorded.clear()
     form = open_panel(tube.Curve, gui)
     form.findChild(QtGui.QTableWidget, "PointsTable").item(1, 1).setText("90")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The dock with charts: numbers, clicks on bars, selection, changes."""
 
+from types import SimpleNamespace
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
@@ -116,3 +118,40 @@ def test_charts_of_hinges_without_play_are_drawn(gui, charts):
     gui(0.3)
     middle = charts.margins.centre_of(0)
     assert charts.margins.grab().toImage().pixelColor(middle) == charts.margins.colour
+
+
+def test_aiming_at_a_force_gives_the_unit_its_margin_in_one_step(gui, charts):
+    from BistableWB.taskpanels.aiming import AimRow
+
+    doc = App.newDocument("Aim")
+    unit = make.make_bistable_unit(doc, theta=55, ratio=0.49, edge_length=80)
+    unit.Thickness = 1.8
+    hinges = make.make_hinge_set(doc, unit)
+    doc.recompute()
+    errors = []
+    row = AimRow(errors.append)
+    row.ask_about(hinges)
+    row.kind.setCurrentIndex(1)
+    row.number.setValue(1.0)
+    row.button.click()
+    for _ in range(600):
+        gui(0.2)
+        if errors:
+            break
+    assert errors == [None]
+    assert unit.RatioRule == "TargetSnap"
+    assert len(unit.UnitMargins) == 1
+    assert doc.UndoNames[0] == "Aim the snap"
+    make.measure_snap(hinges)
+    assert hinges.HandForces[0] > 0.9
+    unit.TargetMargin = 1.6  # whoever sets one for all means it
+    assert list(unit.UnitMargins) == []
+
+
+def test_the_heading_says_in_which_order_units_open(gui):
+    """The weakest first."""
+    from BistableWB.taskpanels.plots import _order
+
+    said = _order(SimpleNamespace(HandForces=[2.0, 1.04, 3.0]))
+    assert said == "Units open in this order: 2, 1, 3; 1.0 N the first."
+    assert _order(SimpleNamespace(HandForces=[2.0])) == ""

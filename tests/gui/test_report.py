@@ -9,6 +9,7 @@ from PySide import QtGui
 
 from BistableWB import make
 from BistableWB.commands import output
+from BistableWB.origami.errors import Refusal
 
 
 @pytest.fixture
@@ -84,9 +85,9 @@ def test_the_slicer_is_asked_where_that_kind_of_report_was_chosen(
 
     def compare(obj, progress, **_):
         for _ in range(50):  # as often as a slicer that runs for some seconds
-            progress("slicing flat-folded")
+            progress.step("slicing flat-folded")
         told.append(obj)
-        raise ValueError("there is no slicer here.")
+        raise Refusal("there is no slicer here.")
 
     monkeypatch.setattr("BistableWB.slicing.compare", compare)
     target = tmp_path / "sliced.html"

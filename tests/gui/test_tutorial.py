@@ -65,7 +65,7 @@ def test_every_step_does_what_the_page_says(gui, screenshot, monkeypatch, tmp_pa
     gui(0.3)
     count = doc.TrianglePlacement.Count
     field = window.findChild(QtGui.QAbstractSpinBox, "EdgeLength")
-    field.findChild(QtGui.QLineEdit).setText("70 mm")
+    field.findChild(QtGui.QLineEdit).setText("90 mm")
     gui(0.5)
     assert doc.TrianglePlacement.Count < count
     screenshot("first-tube-3")

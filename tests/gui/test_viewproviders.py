@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Colours, tree, overlay, and all of them after save and reopen."""
 
-import subprocess
-
 import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
 from BistableWB import ICONS, colours, make
-from BistableWB.origami.creases import PANELS, kind_of
-from BistableWB.viewproviders import attach_missing, faces
+from BistableWB.origami.units.creases import PANELS, kind_of
+from BistableWB.scene import faces
+from BistableWB.viewproviders import attach_missing
 
 
 @pytest.fixture
@@ -168,19 +167,18 @@ def test_a_saved_file_names_no_path(gui, tube, tmp_path):
     assert ".svg" not in text
 
 
-def file_made_without_a_window(path):
-    code = (
-        "import FreeCAD as App, os; from BistableWB import make; doc = App.newDocument('H'); "
+def file_made_without_a_window(headless, path):
+    headless(
+        "import FreeCAD as App; from BistableWB import make; doc = App.newDocument('H'); "
         "t = make.make_triangle_placement(doc, make.make_curve(doc)); "
         "make.make_bistable_unit(doc, t); doc.recompute(); "
-        f"doc.saveAs({str(path)!r}); os._exit(0)"
+        f"doc.saveAs({str(path)!r})"
     )
-    subprocess.run(["freecadcmd", "-c", code], check=True, capture_output=True)
 
 
-def test_a_file_made_headless_gets_its_view_providers(gui, tmp_path, pixels):
+def test_a_file_made_headless_gets_its_view_providers(gui, tmp_path, pixels, headless):
     path = tmp_path / "headless.FCStd"
-    file_made_without_a_window(path)
+    file_made_without_a_window(headless, path)
     doc = App.openDocument(str(path))
     gui(0.2)
     for obj in doc.Objects:

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The walls of the house: who may import whom.
+"""The walls of the house: who may import whom, by the table docs/walls.toml.
 
 The arrows run one way: commands → taskpanels → make → objects → solids → origami.
-Only the first two and viewproviders know the GUI.
 """
 
 import ast
+import functools
+import graphlib
 import sys
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -15,22 +17,11 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "BistableWB"
-GUI_PARTS = {"viewproviders", "taskpanels", "commands"}
-
-# Each part of BistableWB that lies below the GUI, and which of ours it may import.
-# "BistableWB" is the package itself: the version and the resource paths.
-MAY_IMPORT = {
-    "origami": {"origami"},
-    "solids": {"origami", "solids"},
-    "checks": {"BistableWB", "origami", "solids", "checks"},
-    "colours": set(),
-    "objects": {"BistableWB", "origami", "solids", "checks", "colours", "objects"},
-    "exporters": {"BistableWB", "origami", "solids", "checks", "colours", "objects", "exporters"},
-    "slicing": {"origami", "solids", "checks", "exporters", "checking", "slicing"},
-}
-# Parts that are not named here may import every part but the GUI's.
+WALLS = tomllib.loads((ROOT / "docs/walls.toml").read_text(encoding="utf-8"))
+MAY_IMPORT = {part: {part, *wall["may"]} for part, wall in WALLS.items()}
+GUI_PARTS = {part for part, wall in WALLS.items() if wall.get("gui") == "always"}
 # These know no GUI at all, not even inside a function.
-NEVER_GUI = {"origami", "solids", "checks", "colours", "slicing"}
+NEVER_GUI = {part for part, wall in WALLS.items() if wall.get("gui") == "never"}
 
 
 class Import(NamedTuple):
@@ -85,14 +76,9 @@ def imports(source: str, package: tuple[str, ...]) -> Iterator[Import]:
 
 def broken_walls(part: str, found: Import) -> Iterator[str]:
     """Yield what is wrong with ``part``, a directory or module of BistableWB, importing that."""
-    if part in GUI_PARTS:
-        return
-    if found.is_gui and (part in NEVER_GUI or not found.in_function):
+    if found.is_gui and part not in GUI_PARTS and (part in NEVER_GUI or not found.in_function):
         yield f"imports the GUI module {found.top}"
-    if found.part in GUI_PARTS:
-        if part in NEVER_GUI or not (found.in_function and found.if_gui_up):
-            yield f"imports {found.module} other than in a function under `if App.GuiUp`"
-    elif found.part and found.part not in MAY_IMPORT.get(part, {found.part}):
+    if found.part and found.part not in MAY_IMPORT.get(part, set()):
         yield f"imports {found.module}"
     if part == "origami" and found.top not in {"BistableWB", "numpy", *sys.stdlib_module_names}:
         yield f"imports {found.top}: the mathematics knows numpy only"
@@ -100,6 +86,18 @@ def broken_walls(part: str, found: Import) -> Iterator[str]:
 
 def modules() -> list[Path]:
     return sorted(PACKAGE.rglob("*.py"))
+
+
+@functools.cache
+def nodes_of(path: Path) -> list[ast.AST]:
+    """Every node of a module, which several tests look through."""
+    return list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
+
+
+@functools.cache
+def imports_of(path: Path) -> list[Import]:
+    """What a module of the package imports."""
+    return list(imports(path.read_text(encoding="utf-8"), path.relative_to(ROOT).parts[:-1]))
 
 
 def part_of(path: Path) -> str:
@@ -110,10 +108,32 @@ def test_walls_of_the_house_hold():
     broken = [
         f"{path.relative_to(ROOT)}:{found.line}: {part_of(path)} {problem}"
         for path in modules()
-        for found in imports(path.read_text(encoding="utf-8"), path.relative_to(ROOT).parts[:-1])
+        for found in imports_of(path)
         for problem in broken_walls(part_of(path), found)
     ]
     assert broken == []
+
+
+def test_the_table_lists_every_part_and_nothing_else():
+    assert set(WALLS) == {part_of(path) for path in modules()} - {"__init__"}
+    assert {other for wall in WALLS.values() for other in wall["may"]} <= {*WALLS, "BistableWB"}
+
+
+def test_no_arrow_leads_back():
+    """Raise CycleError, which names the parts, if parts could import each other in a circle."""
+    order = graphlib.TopologicalSorter({part: wall["may"] for part, wall in WALLS.items()})
+    assert list(order.static_order())
+
+
+def test_every_door_is_used():
+    """A permission that nobody needs is a wall that is missing."""
+    used = {part: set() for part in WALLS}
+    for path in modules():
+        for found in imports_of(path):
+            if part_of(path) in used and found.part:
+                used[part_of(path)].add(found.part)
+    doors = {(part, other) for part, wall in WALLS.items() for other in wall["may"]}
+    assert doors - {(part, other) for part in used for other in used[part]} == set()
 
 
 @pytest.mark.parametrize(
@@ -138,11 +158,17 @@ def test_walls_of_the_house_hold():
         ("objects", "from .. import make"),
         ("exporters", "try:\n    from pivy import coin\nexcept ImportError:\n    pass"),
         ("make", "from .taskpanels import unit"),
-        ("demo", "from PySide import QtCore"),
+        ("make", "def f():\n    if App.GuiUp:\n        from . import viewproviders"),
+        ("objects", "def f():\n    if App.GuiUp:\n        from ..viewproviders import unit"),
+        ("make", "from . import exporters"),
+        ("viewproviders", "def f():\n    from ..taskpanels import base"),
+        ("taskpanels", "from ..commands import base"),
+        ("slicing", "from ..checking import check"),
+        ("program", "from PySide import QtCore"),
     ],
 )
 def test_a_broken_wall_is_seen(part, source):
-    package = ("BistableWB",) if part in {"make", "demo"} else ("BistableWB", part)
+    package = ("BistableWB",) if part in {"make", "program"} else ("BistableWB", part)
     assert [p for found in imports(source, package) for p in broken_walls(part, found)]
 
 
@@ -157,10 +183,9 @@ def test_a_broken_wall_is_seen(part, source):
             "solids",
             "import Part\nfrom ..origami import unit\nfrom BistableWB.origami import angles",
         ),
-        ("objects", "import FreeCAD as App\nfrom BistableWB import ICONS\nfrom ..solids import x"),
-        ("objects", "def f():\n    if App.GuiUp:\n        from ..viewproviders import unit"),
-        ("make", "def f():\n    if App.GuiUp:\n        from . import viewproviders"),
-        ("make", "from .objects import curve\nfrom . import exporters"),
+        ("objects", "import FreeCAD as App\nfrom ..solids import x"),
+        ("viewproviders", "from pivy import coin\nfrom BistableWB import ICONS"),
+        ("make", "from .objects import curve"),
         ("commands", "import FreeCADGui as Gui\nfrom PySide import QtGui\nfrom .. import make"),
     ],
 )
@@ -184,3 +209,23 @@ def test_no_file_is_too_long_to_read():
         for path in [*modules(), *(ROOT / "tests").rglob("*.py")]
     }
     assert {name: lines for name, lines in lengths.items() if lines >= 400} == {}
+
+
+def test_no_function_is_longer_than_a_screen():
+    lengths = {
+        f"{path.relative_to(ROOT)}: {node.name}": node.end_lineno - node.lineno + 1
+        for path in modules()
+        for node in nodes_of(path)
+        if isinstance(node, ast.FunctionDef)
+    }
+    assert {name: lines for name, lines in lengths.items() if lines > 52} == {}
+
+
+def test_public_names_are_documented():
+    public = [
+        node
+        for path in modules()
+        for node in nodes_of(path)
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_")
+    ]
+    assert sum(ast.get_docstring(node) is not None for node in public) >= 0.92 * len(public)

@@ -1,9 +1,12 @@
 """Reference numbers of the fast tests."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))  # for curves that several tests draw: shapes.py
 
 
 @pytest.fixture(scope="session")

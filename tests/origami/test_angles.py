@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from BistableWB.origami import angles
+from BistableWB.origami.units import angles
 
 THETAS = st.floats(0.5, 170).map(np.radians)
 SHARES = st.floats(0.0, 0.999)  # how far the ratio lies between sin(theta/2) and 1

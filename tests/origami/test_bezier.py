@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from BistableWB.origami.bezier import Bezier
+from BistableWB.origami.curves.bezier import Bezier
 
 
 def casteljau(points, s):

@@ -6,13 +6,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from BistableWB.origami import angles, general
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.contacts import contact_pairs
-from BistableWB.origami.general import general_unit
-from BistableWB.origami.placement import place
-from BistableWB.origami.shape import check_shape
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
 from BistableWB.origami.unit import PANELS, VERTICES, plane_unit, sphere_unit
+from BistableWB.origami.units import angles, general
+from BistableWB.origami.units.contacts import contact_pairs
+from BistableWB.origami.units.general import general_unit
+from BistableWB.origami.units.shape import check_shape
 
 INDEX = {name: i for i, name in enumerate(VERTICES)}
 NAMES = ("flat", "theta", "ratio", "alpha", "beta", "beta_prime")

@@ -4,16 +4,18 @@
 import numpy as np
 import pytest
 
-from BistableWB.origami import tube as tubes
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.contacts import contact_pairs
-from BistableWB.origami.general import general_unit
-from BistableWB.origami.leaning import leaning
-from BistableWB.origami.linkage import ThickUnit
-from BistableWB.origami.placement import place
-from BistableWB.origami.ratios import RatioRule
-from BistableWB.origami.snap import assess
-from BistableWB.origami.target_snap import TargetMargin
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.snap.contact import holding
+from BistableWB.origami.snap.margin import assess
+from BistableWB.origami.snap.table import USUAL
+from BistableWB.origami.snap.targets import TargetMargin
+from BistableWB.origami.thick.linkage import ThickUnit
+from BistableWB.origami.units import tube as tubes
+from BistableWB.origami.units.contacts import contact_pairs
+from BistableWB.origami.units.general import general_unit
+from BistableWB.origami.units.oblique import leaning
+from BistableWB.origami.units.ratios import RatioRule
 
 PITCH, PLAY = 1.8, 0.28
 V = ("point", (0.0, 0.0, 0.0))
@@ -66,8 +68,9 @@ def test_helices_close_with_the_default_rule(pitch):
     assert tube.unit.isometry_error().max() <= 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
-    ("curve", "edge", "legs"), [(Helix(100), 60.0, None), (SEEN, 75.0, V)], ids=["helix", "seen"]
+    ("curve", "edge", "legs"), [(Helix(100), 85.0, None), (SEEN, 85.0, V)], ids=["helix", "seen"]
 )
 def test_a_target_makes_leaning_units_firm(curve, edge, legs):
     """Measured: no unit below 1, and near what was looked up."""
@@ -77,23 +80,24 @@ def test_a_target_makes_leaning_units_firm(curve, edge, legs):
     found = target.choose(theta, leans)
     some = slice(-3, None)
     unit = general_unit(left[some], right[some], found.ratio[some])
-    snap = assess(ThickUnit(unit, 1.2, 0.6).compensated(), PLAY)
+    thick = ThickUnit(unit, 1.2, 0.6).compensated()
+    snap = assess(thick, holding(thick, USUAL))
     assert snap.margin.min() > 1.2
     assert snap.strain.max() < 0.02
     expected = target.expected(unit.theta, unit.ratio, leans[some])
-    assert expected == pytest.approx(snap.margin, rel=0.15)
+    assert expected == pytest.approx(snap.margin, rel=0.2)
     assert target.floppy(unit.theta, unit.ratio, leans[some]) == []
 
 
 def test_floppy_units_are_named_in_plain_words():
     theta = np.radians([31.0, 52.0, 33.0])
-    target = TargetMargin(60.0, PITCH, play=PLAY)
+    target = TargetMargin(85.0, PITCH, play=PLAY)
     ratio = RatioRule(share=0.05).ratios(theta)
-    (sentence,) = target.floppy(theta, ratio)
+    (sentence,) = map(str, target.floppy(theta, ratio))
     assert sentence.startswith("Units 1, 3 are floppy")
     assert "TargetSnap" in sentence
     assert "below 1" in sentence
-    assert "TargetSnap" not in target.floppy(theta, ratio, free=False)[0]
+    assert "TargetSnap" not in str(target.floppy(theta, ratio, free=False)[0])
     assert target.floppy(theta, RatioRule(share=0.02).ratios(theta)) == []
 
 

@@ -6,15 +6,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from BistableWB.origami import compensation, rigid
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.closure import Closure
-from BistableWB.origami.contacts import contact_pairs
-from BistableWB.origami.creases import BODIES, CREASES, INDEX, PANELS
-from BistableWB.origami.general import general_unit
-from BistableWB.origami.linkage import FURTHEST, ThickUnit
-from BistableWB.origami.placement import place
+from BistableWB.origami import rigid
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.thick import compensation
+from BistableWB.origami.thick.closure import Closure
+from BistableWB.origami.thick.linkage import FURTHEST, ThickUnit
 from BistableWB.origami.unit import Unit, plane_unit, sphere_unit
+from BistableWB.origami.units.contacts import contact_pairs
+from BistableWB.origami.units.creases import BODIES, CREASES, INDEX, PANELS
+from BistableWB.origami.units.general import general_unit
 
 HINGE = {c.name: i for i, c in enumerate(CREASES)}
 few = settings(max_examples=8)

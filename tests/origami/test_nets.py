@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from BistableWB.origami import sheets
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.creases import INDEX
-from BistableWB.origami.nets import overlap, unfolded, unit_nets
-from BistableWB.origami.placement import place
-from BistableWB.origami.ratios import RatioRule
-from BistableWB.origami.skin import EDGES, OUTWARD, skin_of
-from BistableWB.origami.tube import along, single
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.patterns import sheets
+from BistableWB.origami.patterns.nets import overlap, unfolded, unit_nets
+from BistableWB.origami.patterns.surface import EDGES, OUTWARD, surface_of
 from BistableWB.origami.unit import plane_unit, sphere_unit
+from BistableWB.origami.units.creases import INDEX
+from BistableWB.origami.units.ratios import RatioRule
+from BistableWB.origami.units.tube import along, single
 
 ARCH = Bezier([(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)])
 RISING = Bezier([(0, 0, 0), (60, 120, 6), (180, 120, 14), (240, 0, 20)])
@@ -111,11 +111,10 @@ def test_net_folds_up_into_the_deployed_unit():
     """Panels joined along a fold, turned by the unit's fold angles, close the net's seams."""
     unit = plane_unit(np.radians(50), 0.5, 60.0, 24.0)
     tube = single(unit)
-    skin = skin_of(tube)
-    points = skin.points(tube.deployed())
-    angles = dict(
-        zip(map(frozenset, skin.edges.tolist()), skin.fold_angles(points, points), strict=True)
-    )
+    surface = surface_of(tube)
+    points = surface.points(tube.deployed())
+    folds = surface.fold_angles(points, points)
+    angles = dict(zip(map(frozenset, surface.edges.tolist()), folds, strict=True))
     (net,) = unit_nets(unit)
     placed = {"border_left": _in_space(net.polygons["border_left"])}
     while len(placed) < 12:
@@ -167,11 +166,11 @@ def _folded(net, panel, other, edge, angle, corners):
 
 def test_outward_panels_bound_the_unit():
     unit = plane_unit(np.radians(50), 0.5, 1.0, 0.4)
-    skin = skin_of(single(unit))
-    points = skin.points(unit.deployed[None])
-    assert len(skin.faces) == 12
-    assert len(skin.edges) == 20
-    fans = [(points[[f[0], f[i], f[i + 1]]]) for f in skin.faces for i in range(1, len(f) - 1)]
+    surface = surface_of(single(unit))
+    points = surface.points(unit.deployed[None])
+    assert len(surface.faces) == 12
+    assert len(surface.edges) == 20
+    fans = [(points[[f[0], f[i], f[i + 1]]]) for f in surface.faces for i in range(1, len(f) - 1)]
     assert sum(np.linalg.det(t) for t in fans) / 6 > 0  # outwards
     assert set(unfolded(unit)) == set(OUTWARD)
 
@@ -179,20 +178,20 @@ def test_outward_panels_bound_the_unit():
 @pytest.mark.parametrize(("family", "pitch"), [("Plane", 0.0), ("Plane", 1.8), ("General", 0.0)])
 def test_skin_of_a_tube_keeps_its_folds_on_their_side(family, pitch):
     tube = tube_along(ARCH if family == "Plane" else RISING, family, pitch)
-    skin, n = skin_of(tube), len(tube)
+    surface, n = surface_of(tube), len(tube)
     shared = n - 1 if pitch == 0 else 0
-    assert len(skin.faces) == 12 * n - shared
-    assert skin.corners.max() + 1 == 10 * n - 4 * shared
-    assert skin.is_manifold == (shared == 0)
-    deployed = skin.points(tube.deployed())
-    assert deployed[skin.corners] == pytest.approx(tube.deployed(), abs=1e-6)
-    sides = np.sign(skin.fold_angles(deployed, deployed))
+    assert len(surface.faces) == 12 * n - shared
+    assert surface.corners.max() + 1 == 10 * n - 4 * shared
+    assert surface.is_manifold == (shared == 0)
+    deployed = surface.points(tube.deployed())
+    assert deployed[surface.corners] == pytest.approx(tube.deployed(), abs=1e-6)
+    sides = np.sign(surface.fold_angles(deployed, deployed))
     assert (sides != 0).all()
     for opening in (0.0, 0.02, 0.5, 1.0):
-        angles = skin.fold_angles(skin.points(tube.state(opening)), deployed)
+        angles = surface.fold_angles(surface.points(tube.state(opening)), deployed)
         folded = np.abs(angles) > 1e-6
         assert (np.sign(angles)[folded] == sides[folded]).all()
-    flat = np.abs(skin.fold_angles(skin.points(tube.state(0.0)), deployed))
+    flat = np.abs(surface.fold_angles(surface.points(tube.state(0.0)), deployed))
     assert np.minimum(flat, np.pi - flat).max() < 1e-6
 
 

@@ -5,16 +5,16 @@ import numpy as np
 import pytest
 
 from BistableWB import colours
-from BistableWB.origami import tube as tubes
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.placement import place
-from BistableWB.origami.ratios import RatioRule
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.units import tube as tubes
+from BistableWB.origami.units.ratios import RatioRule
 
 pytest.importorskip("matplotlib")
 from BistableWB import pictures
+from BistableWB.origami.meshes import Mesh, PlacedMesh
 from BistableWB.pictures import film, hinge, page, prints, rendering, shading, stage, states
 from BistableWB.pictures.raster import rasterise
-from BistableWB.solids.mesh import Mesh, PlacedMesh
 
 pytestmark = pytest.mark.slow
 
@@ -33,11 +33,15 @@ def shade(code):
     return np.array(colours.rgb(code))
 
 
+def drawn(polygons, fills):
+    return shading.render_solids(FRONT, stage.sheets(polygons, fills), 20)
+
+
 def test_the_nearer_panel_hides_the_other_whatever_their_order():
     near, far = SQUARE * 0.5 + [2.5, 2.5, 4], SQUARE
     for order in ((near, far), (far, near)):
         fills = ["#ff0000" if p is near else "#0000ff" for p in order]
-        image, (left, right, bottom, top) = rendering.render(FRONT, order, fills, 20)
+        image, (left, right, bottom, top) = drawn(order, fills)
         rows, columns = image.shape[:2]
         middle, rim = image[rows // 2, columns // 2], image[rows // 2, int(0.1 * columns)]
         assert middle[0] > 0.5 > middle[2]
@@ -48,14 +52,14 @@ def test_the_nearer_panel_hides_the_other_whatever_their_order():
 def test_crossing_panels_each_hide_a_part():
     tilted = SQUARE.copy()
     tilted[:, 2] = SQUARE[:, 0] - 5
-    image, _ = rendering.render(FRONT, [SQUARE, tilted], ["#0000ff", "#ff0000"], 20)
+    image, _ = drawn([SQUARE, tilted], ["#0000ff", "#ff0000"])
     row = image[image.shape[0] // 2]
     assert row[len(row) // 4, 2] > row[len(row) // 4, 0]
     assert row[3 * len(row) // 4, 0] > row[3 * len(row) // 4, 2]
 
 
 def test_nothing_is_clipped_and_the_ground_is_transparent():
-    image, _ = rendering.render(FRONT, [SQUARE], ["#ff0000"], 20)
+    image, _ = drawn([SQUARE], ["#ff0000"])
     alpha = image[..., 3]
     assert alpha[0].max() == alpha[-1].max() == alpha[:, 0].max() == alpha[:, -1].max() == 0
     assert alpha.sum() / 20**2 == pytest.approx(100, rel=0.03)
@@ -173,25 +177,25 @@ def test_a_solid_casts_its_shadow_on_the_ground_only_where_light_is_hidden():
     assert brightness(0.3 * np.array([10, 5, 0]) + 0.7 * points[points[:, 0].argmax()]) < 0.9
 
 
-def placed(name, mesh, members=(), material="rigid"):
-    return PlacedMesh(name, mesh, np.eye(4), 0, members, material)
+def placed(name, mesh, kind="primary"):
+    return PlacedMesh(name, mesh, np.eye(4), kind=kind)
 
 
 def test_prints_are_drawn_without_clipping(tmp_path, monkeypatch):
     from matplotlib.image import imread
 
-    from BistableWB.origami.hinge_parameters import HingeParameters
+    from BistableWB.origami.hinges.parameters import HingeParameters
 
     for module in (page, prints, hinge):
         monkeypatch.setattr(module, "DPI", 60)
     bodies = [
-        placed("unit01_primary_left_upper", cube(), ((0, "primary_left_upper"),)),
-        placed("unit01_link_B", cube(8, (0, 0, 12)), ((0, "link_B"),)),
-        placed("strip", cube(6, (0, 0, 22)), (), "flexible"),
+        placed("unit01_primary_left_upper", cube()),
+        placed("unit01_link_B", cube(8, (0, 0, 12)), "link"),
+        placed("flexure_AB", cube(6, (0, 0, 22)), "flexure"),
     ]
     apart = [np.eye(4), np.eye(4), None]
     apart[1] = apart[1] + np.outer([1, 0, 0, 0], [0, 0, 0, 40.0])
-    assert [stage.kind_of_body(body) for body in bodies] == ["primary", "link", "strip"]
+    assert stage.kinds_of(bodies) == ["primary", "link", "flexure"]
     both = pictures.stack_and_tube(tmp_path / "both.png", bodies, apart, (1, 0, 0), (0, 1, 0))
     way = pictures.openings(tmp_path / "way.png", bodies[:2], {0: apart[:2], 0.5: apart[:2]})
     bed = pictures.print_on_bed(tmp_path / "bed.png", [placed("plate", cube())])
@@ -213,8 +217,8 @@ def test_a_film_goes_from_flat_to_deployed_and_back_for_ever(tmp_path, monkeypat
     monkeypatch.setattr(film, "_FRAMES", 5)
     monkeypatch.setattr(film, "_WIDTH", 200)
     bodies = [
-        placed("unit01_primary_left_upper", cube(), ((0, "primary_left_upper"),)),
-        placed("unit01_link_B", cube(8, (0, 0, 12)), ((0, "link_B"),)),
+        placed("unit01_primary_left_upper", cube()),
+        placed("unit01_link_B", cube(8, (0, 0, 12)), "link"),
     ]
 
     def motions(opening):

@@ -1,12 +1,12 @@
-"""Triangles along a curve: section 3.1 of the paper and hinges.md 5."""
+"""Triangles along a curve: section 3.1 of the paper and docs/theory/hinges.md 5."""
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.placement import place
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
 
 ARCH = [(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)]
 

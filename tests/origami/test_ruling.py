@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from BistableWB.origami import ruling
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.placement import place
+from BistableWB.origami.curves import ruling
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
 
 few = settings(max_examples=12, deadline=None, derandomize=True)
 RISING = Bezier([[0, 0, 0], [60, 120, 20], [180, 120, 60], [240, 0, 70]])
@@ -39,6 +39,25 @@ def on_sphere(centre, radius):
         return [c + radius * x for c, x in zip(centre, unit, strict=True)]
 
     return Made(function)
+
+
+def test_closed_curves_in_space_get_a_direction_and_no_overlap_at_their_seam():
+    def wavy(s):
+        a = 2 * np.pi * s
+        return 120 * np.cos(a), 120 * np.sin(a), 20 * np.sin(2 * a)
+
+    def trefoil(s):
+        a = 2 * np.pi * s
+        x, y = np.sin(a) + 2 * np.sin(2 * a), np.cos(a) - 2 * np.cos(2 * a)
+        return 100 * x, 100 * y, -100 * np.sin(3 * a)
+
+    for function in (wavy, trefoil):
+        kind, direction = ruling.default_ruling(Made(function))
+        assert kind == "parallel"
+        assert direction == pytest.approx((0, 0, 1), abs=1e-6)
+    flat = Made(lambda s: [*trefoil(s)[:2], 0 * s])  # this one does meet itself
+    with pytest.raises(ValueError, match="overlaps itself"):
+        ruling.check_ruling(flat, ("parallel", (0, 0, 1)))
 
 
 @few

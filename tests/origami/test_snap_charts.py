@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from BistableWB.origami.auto_fit import Candidate, Fit, Wanted
+from BistableWB.origami.fit.search import Candidate, Fit, Wanted
 
 pytest.importorskip("matplotlib")
 from BistableWB.pictures import snap_charts

@@ -3,14 +3,15 @@
 import numpy as np
 import pytest
 
-from BistableWB.origami import blocks, print_stack, rigid
-from BistableWB.origami import tube as tubes
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.creases import BODIES
-from BistableWB.origami.linkage import ThickUnit
-from BistableWB.origami.placement import place
-from BistableWB.origami.ratios import RatioRule
-from BistableWB.origami.thick_tube import thick_tube
+from BistableWB.origami import rigid
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.thick import blocks, print_stack
+from BistableWB.origami.thick.linkage import ThickUnit
+from BistableWB.origami.thick.thick_tube import thick_tube
+from BistableWB.origami.units import tube as tubes
+from BistableWB.origami.units.creases import BODIES
+from BistableWB.origami.units.ratios import RatioRule
 
 ARCH = np.array([(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)])
 PITCH = 1.8

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from BistableWB.origami import unit as units
-from BistableWB.origami.creases import BODIES, CREASES, INDEX, PANELS, VERTICES, layer_of
+from BistableWB.origami.units.creases import BODIES, CREASES, INDEX, PANELS, VERTICES, layer_of
 
 THETAS = st.floats(1, 150).map(np.radians)
 SPHERE_THETAS = st.floats(1, 60).map(np.radians)

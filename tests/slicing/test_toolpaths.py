@@ -6,9 +6,11 @@ import time
 import numpy as np
 import pytest
 
-from BistableWB.slicing import NoSlicer, gcode, orientations, slicer
+from BistableWB.origami.meshes import Mesh
+from BistableWB.origami.progress import Cancelled, Progress
+from BistableWB.programs import gcode, prusaslicer
+from BistableWB.slicing import NoSlicer, orientations
 from BistableWB.slicing.contact import contacts
-from BistableWB.solids.mesh import Mesh
 
 LAYER, WIDTH = 0.2, 0.45
 GCODE = """\
@@ -142,10 +144,8 @@ def test_lines_of_another_print_are_refused():
 
 
 def test_it_can_be_stopped():
-    def stop():
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
+    stop = Progress(cancelled=lambda: True)
+    with pytest.raises(Cancelled):
         contacts(lines((0, 0, 10, 0, 2)), [box((-1, -1, 0), (11, 1, 1))], LAYER, stop)
 
 
@@ -172,42 +172,41 @@ def program(folder, name, text):
 
 def test_where_the_slicer_is(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
-    monkeypatch.setattr(slicer, "_PLACES", ())
-    monkeypatch.delenv(slicer.VARIABLE, raising=False)
+    monkeypatch.setattr(prusaslicer, "_PLACES", ())
+    monkeypatch.delenv(prusaslicer.VARIABLE, raising=False)
     with pytest.raises(NoSlicer, match="apt install prusa-slicer"):
-        slicer.find()
+        prusaslicer.find()
     program(tmp_path, "flatpak", "exit 1")
     with pytest.raises(NoSlicer):
-        slicer.find()
+        prusaslicer.find()
     program(tmp_path, "flatpak", "exit 0")
-    assert slicer.find()[-1] == "com.prusa3d.PrusaSlicer"
+    assert prusaslicer.find()[-1] == "com.prusa3d.PrusaSlicer"
     own = program(tmp_path, "PrusaSlicer", "exit 0")
-    assert slicer.find() == [str(own)]
-    monkeypatch.setenv(slicer.VARIABLE, "nowhere/slicer")
+    assert prusaslicer.find() == [str(own)]
+    monkeypatch.setenv(prusaslicer.VARIABLE, "nowhere/slicer")
     with pytest.raises(NoSlicer, match="PRUSASLICER is 'nowhere/slicer', which is no program"):
-        slicer.find()
-    monkeypatch.setenv(slicer.VARIABLE, str(own))
-    assert slicer.find() == [str(own)]
+        prusaslicer.find()
+    monkeypatch.setenv(prusaslicer.VARIABLE, str(own))
+    assert prusaslicer.find() == [str(own)]
 
 
 def test_a_slicer_that_refuses_is_quoted_and_one_that_is_not_wanted_any_more_ends(
     tmp_path, monkeypatch
 ):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    monkeypatch.setenv(slicer.VARIABLE, str(program(tmp_path, "no", "echo Too large.; exit 1")))
+    monkeypatch.setenv(
+        prusaslicer.VARIABLE, str(program(tmp_path, "no", "echo Too large.; exit 1"))
+    )
     with pytest.raises(ValueError, match="it says 'Too large"):
-        slicer.slice_stl(lambda path: path.write_text("solid"), "")
+        prusaslicer.slice_stl(lambda path: path.write_text("solid"), "")
     pid = tmp_path / "pid"
     slow = program(tmp_path, "slow", f"echo $$ > {pid}\nexec sleep 60")
-    monkeypatch.setenv(slicer.VARIABLE, str(slow))
+    monkeypatch.setenv(prusaslicer.VARIABLE, str(slow))
 
-    def stop():
-        if pid.is_file() and pid.read_text().strip():
-            raise KeyboardInterrupt
-
+    stop = Progress(cancelled=lambda: pid.is_file() and bool(pid.read_text().strip()))
     start = time.time()
-    with pytest.raises(KeyboardInterrupt):
-        slicer.slice_stl(lambda path: path.write_text("solid"), "", stop)
+    with pytest.raises(Cancelled):
+        prusaslicer.slice_stl(lambda path: path.write_text("solid"), "", stop)
     assert time.time() - start < 20
     with pytest.raises(ProcessLookupError):
         os.kill(int(pid.read_text()), 0)
