@@ -9,11 +9,11 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.contacts import contact_pairs
-from BistableWB.origami.placement import place
-from BistableWB.origami.ruling import default_ruling
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.curves.ruling import default_ruling
 from BistableWB.origami.unit import general_unit
+from BistableWB.origami.units.contacts import contact_pairs
 
 ALLOWED_SECONDS = 0.3
 CURVE = Bezier([[0, 0, 0], [60, 120, 20], [180, 120, 60], [240, 0, 70]])

@@ -5,10 +5,10 @@ import time
 
 import numpy as np
 
-from BistableWB.origami import tube
-from BistableWB.origami.bezier import Bezier
-from BistableWB.origami.placement import place
-from BistableWB.origami.ratios import RatioRule
+from BistableWB.origami.curves.bezier import Bezier
+from BistableWB.origami.curves.placement import place
+from BistableWB.origami.units import tube
+from BistableWB.origami.units.ratios import RatioRule
 
 ARCH = [(0, 0, 0), (60, 120, 0), (180, 120, 0), (240, 0, 0)]
 TARGETS = {100: 30.0, 1000: 500.0}  # units -> ms

@@ -18,9 +18,10 @@ from BistableWB.checks.printing import Print
 from BistableWB.checks.suite import Suite
 from BistableWB.exporters import stl, threemf
 from BistableWB.exporters.bodies import Body
-from BistableWB.origami import print_stack, unit
-from BistableWB.origami.hinge_parameters import HingeParameters
-from BistableWB.origami.linkage import ThickUnit
+from BistableWB.origami import unit
+from BistableWB.origami.hinges.parameters import HingeParameters
+from BistableWB.origami.thick import print_stack
+from BistableWB.origami.thick.linkage import ThickUnit
 from BistableWB.solids.tessellation import placed_meshes
 from BistableWB.solids.tube import tube_bodies
 

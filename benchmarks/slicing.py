@@ -17,11 +17,13 @@ from pathlib import Path
 import FreeCAD as App
 import numpy as np
 
-from BistableWB import design, produce, slicing
+from BistableWB import slicing
 from BistableWB.checks.printer import Printer
+from BistableWB.designs import building, reading
 from BistableWB.origami import unit
-from BistableWB.origami.hinge_parameters import PRESETS, HingeParameters
-from BistableWB.origami.linkage import ThickUnit
+from BistableWB.origami.hinges.parameters import HingeParameters
+from BistableWB.origami.hinges.presets import PRESETS
+from BistableWB.origami.thick.linkage import ThickUnit
 from BistableWB.slicing import toolpaths
 from BistableWB.slicing.contact import contacts
 from BistableWB.slicing.section import section
@@ -70,16 +72,17 @@ def compare(path, units, tries):
     """The comparison of one design."""
     doc = App.newDocument("Slicing", hidden=True)
     try:
-        hinges = produce.build(doc, design.read(path))["hinges"]
+        hinges = building.build(doc, reading.read(path))["hinges"]
+        hinges.Process = "FDM, soluble"
         hinges.LastUnit = units
         doc.recompute()
         start = time.time()
         compared = slicing.compare(hinges, tries=tries)
         told = section(compared)
         print(f"\n{path.stem}, {len(hinges.SnapMargins)} unit(s), {hinges.BodyCount} bodies")
-        print(f"{told.text}\n| {' | '.join(told.columns)} |\n|{'---|' * len(told.columns)}")
-        for row in told.rows:
-            print(f"| {' | '.join(row)} |")
+        print(told.text)
+        for row in (told.columns, ["---"] * len(told.columns), *told.rows):
+            print(f"| {' | '.join(map(str, row))} |")
         print(*compared.findings, f"{time.time() - start:.0f} s", sep="\n", flush=True)
     finally:
         App.closeDocument(doc.Name)
