@@ -28,7 +28,7 @@ def check(obj, printer=None, with_openscad=False, with_slicer=False):
     if with_openscad:
         found += openscad.check([body.placed for body in meshes])
     if with_slicer:
-        found += check_toolpaths(suite.standing_bodies(), suite.parameters, suite.printer)
+        found += check_toolpaths(suite.printed_bodies(), suite.parameters, suite.printer)
     return found
 
 
@@ -56,7 +56,8 @@ def suite_of(obj, bodies, meshes, printer=None):
     turn = array_of(model.standing(obj.Orientation))
     support = mesh_of(model.support()).moved(turn) if obj.Support else None
     ties = tuple(model.tie_meshes()) if model.has_ties(obj.Orientation) else None
-    standing = Standing(turn, obj.Orientation == "OnEdge", support, model.more, ties)
+    pillars = model.pillar_bodies if model.has_pillars(obj.Orientation) else None
+    standing = Standing(turn, obj.Orientation == "OnEdge", support, model.more, ties, pillars)
     given = model.parameters, printer, model.tube, model.snap, standing
     suite = Suite(meshes, volumes, *given, slacks=slacks)
     suite.known = model.findings.setdefault((printer, obj.Orientation, obj.Support), {})

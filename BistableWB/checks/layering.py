@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..origami.errors import ERROR, NOTE, WARNING, Finding, phrase
-from .layers import PIXEL, layers
+from .layers import PIXEL, Tops, extent, layers
 from .overhang import hangs
 from .starts import starts
 
@@ -69,17 +69,22 @@ class Layering:
     def findings(self) -> list[Finding]:
         """List of `Finding`: thickness, fused bodies, what hangs over air."""
         alive: list[Any] = []
+        bounds = np.array([body.placed.bounds for body in self.bodies])
+        tops = Tops(*extent(bounds))  # of the units further below
         for unit in sorted({body.unit for body in self.bodies}):
             bodies = [body for body in self.bodies if body.unit == unit]
             with ThreadPoolExecutor(cpu_count()) as pool:
                 made, shares = zip(*pool.map(self._layers, bodies), strict=True)
                 new = list(zip(bodies, made, strict=True))
                 around = [*alive, *new]
-                for found, islands in pool.map(self._looked_below, bodies, made, repeat(around)):
+                below = [*(layers for _, layers in around), tops]
+                for found, islands in pool.map(self._looked_below, bodies, made, repeat(below)):
                     self._hangs += found
                     self._islands += islands
             self._shares += shares
             self._touch(new, around)
+            for _, gone in alive:
+                tops.add(gone)
             alive = new
         return [*self._thickness(), *self._fused(), *self._over_air()]
 
@@ -90,13 +95,13 @@ class Layering:
         return found, (body.name, volume / mesh.volume, _off_grid(mesh, self.printer))
 
     def _looked_below(
-        self, body: "PlacedMesh", made: "Layers", around: "Sequence[tuple[PlacedMesh, Layers]]"
+        self, body: "PlacedMesh", made: "Layers", around: "Sequence[Layers | Tops]"
     ) -> tuple[list[Any], list[Any]]:
         """(`Hang`, name, point) list of what hangs over air, and of its start if that is there."""
         if not made.inside.size:
             return [], []
         height = self.printer.layer_height
-        others = [other for _, other in around if other is not made]
+        others = [other for other in around if other is not made]
         found = [
             (hang, body.name, made.middle(hang.pixel, height))
             for hang in hangs(made, self.printer, self._support, others, self._holds)

@@ -12,7 +12,7 @@ from ..origami.layers import PIXEL, grown
 from .starts import held_by
 
 if TYPE_CHECKING:
-    from .layers import Layers
+    from .layers import Layers, Tops
     from .printer import Printer
 
 
@@ -35,7 +35,7 @@ def hangs(
     body: "Layers",
     printer: "Printer",
     support: "Layers | None" = None,
-    others: "Sequence[Layers]" = (),
+    others: "Sequence[Layers | Tops]" = (),
     depth: int = 0,
 ) -> list[Hang]:
     """`Hang` of every layer of ``body`` (`Layers`) that needs a support which is not there.

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from .layers import PIXEL
 
 if TYPE_CHECKING:
-    from .layers import Layers
+    from .layers import Layers, Tops
 
 LEAST = 0.1  # mm²: what is smaller is not laid by itself
 
@@ -22,7 +22,7 @@ class Start(NamedTuple):
     pixel: tuple
 
 
-def held_by(others: "Sequence[Layers]", body: "Layers", number: int, depth: int) -> NDArray:
+def held_by(others: "Sequence[Layers | Tops]", body: "Layers", number: int, depth: int) -> NDArray:
     """Where, over a body's pixels, ``others`` lie at most ``depth`` layers below ``number``."""
     low, high = body.first.copy(), body.end
     low[0], high[0] = number - depth, number
@@ -33,7 +33,7 @@ def held_by(others: "Sequence[Layers]", body: "Layers", number: int, depth: int)
     return found
 
 
-def starts(body: "Layers", others: "Sequence[Layers]", depth: int) -> list[Start]:
+def starts(body: "Layers", others: "Sequence[Layers | Tops]", depth: int) -> list[Start]:
     """`Start`s of a body, ``others`` being whatever else is printed.
 
     A region of a layer starts in mid-air where none of it lies on the body's own layer below, and

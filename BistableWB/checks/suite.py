@@ -48,7 +48,8 @@ class Standing(NamedTuple):
     """How a print stands on the bed: ``turn`` (4, 4) from the flat one, and its support.
 
     ``more``: by how much its ends widen it and make it higher (mm), as of `bed.print_size`.
-    ``ties``: where they stand, or None where nothing is to be tied.
+    ``ties``: where they stand, or None where nothing is to be tied; ``pillars``: finds the
+    `PlacedMesh` of those that the print has.
     """
 
     turn: np.ndarray
@@ -56,6 +57,7 @@ class Standing(NamedTuple):
     support: Mesh | None = None
     more: tuple[float, float] = (0.0, 0.0)
     ties: tuple[Mesh, ...] | None = None
+    pillars: "Callable[[], list[PlacedMesh]] | None" = None
 
 
 class Suite:
@@ -159,13 +161,29 @@ class Suite:
             state = "stand-offs"
         state = state if support is None else "on"
         alone = support is None and (state == "stand-offs" or process.held == BY_TIES)
-        layering = Layering(self.standing_bodies(), self.printer, support, state, alone)
-        found = layering.findings()
+        layering = Layering(self.printed_bodies(), self.printer, support, state, alone)
+        found = [*layering.findings(), *self._pillar_notes()]
         if process.held == BY_POWDER:
             found = [finding for finding in found if finding.code not in ("overhang", "island")]
         if not self.is_trial:
             return found
         return [replace(f, severity=WARNING) if f.severity == ERROR else f for f in found]
+
+    def _pillars(self) -> "list[PlacedMesh]":
+        return self.standing.pillars() if self.standing.pillars is not None else []
+
+    def _pillar_notes(self) -> list[Finding]:
+        """What is to be taken out when the print is opened."""
+        pillars = self._pillars()
+        volume = sum(pillar.mesh.volume for pillar in pillars)
+        note = phrase(
+            "{count} loose pillars, {volume:.1f} cm³, hold what reaches beyond the panels below: "
+            "they fall out when the tube is opened.",
+            count=len(pillars),
+            volume=volume / 1000,
+        )
+        number = volume / 1000
+        return [Finding(severity=NOTE, code="pillar", number=number, message=note)] * bool(pillars)
 
     def check_ties(self) -> list[Finding]:
         """Whether ties hold what begins in mid-air, and come off."""
@@ -307,6 +325,10 @@ class Suite:
         """`PlacedMesh` list of the bodies as they stand on the bed."""
         turn = self.standing.turn
         return [body._replace(place=turn @ body.place) for body in self.bodies]
+
+    def printed_bodies(self) -> "list[PlacedMesh]":
+        """`standing_bodies` and the pillars that are printed with them."""
+        return [*self.standing_bodies(), *self._pillars()]
 
     def _whole(self) -> Any:
         """The `Print`, made when it is asked for first."""

@@ -71,7 +71,9 @@ CHECKS = {
                "a square of 5 mm fits into it", "warning: print with support"),
          Finds("island", "every region of a layer that begins in mid-air, over 0.1 mm²: height "
                "above anything else", "5 mm; 0.4 mm where no slicer adds support",
-               "warning: how many places, how large")),
+               "warning: how many places, how large"),
+         Finds("pillar", "loose pillars that hold what stand-offs cannot: plastic, cm³", "none",
+               "note: how many fall out at the first opening")),
     ),
     "ties": Check(
         QT_TRANSLATE_NOOP("BistableCheck", "Ties…"), "check_ties", TIED,

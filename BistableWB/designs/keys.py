@@ -124,6 +124,7 @@ TABLES = {
         "standoff_width": Key(length, "StandOffWidth", "0", 0, 10),
         "air_layers": Key(whole, "AirLayers", "0", 0, 100),
         "standoff_rim": Key(flag, "StandOffRim", "true"),
+        "pillars": Key(flag, "Pillars", "true"),
         "compensate": Key(flag, "Compensate", "true"),
         "preload": Key(number, "Preload", "0", 0, 1.5),
         "preload_rule": Key(choice, "PreloadRule", '"Automatic"', choices=("Automatic", "Given")),

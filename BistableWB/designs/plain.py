@@ -17,11 +17,14 @@ from .. import exporters
 from ..exporters.bodies import Body
 from ..exporters.thin import ThinModel
 from ..origami.design import Placing, Thickness, TubeDesign
+from ..origami.hinges.bodies import Drawn
 from ..origami.hinges.ends import Ends
 from ..origami.hinges.joints import Joint
 from ..origami.hinges.parts import part_drawn
+from ..origami.hinges.pillars import boundary_of
 from ..origami.hinges.presets import PRESETS
 from ..origami.hinges.processes import BY_STANDOFFS, PROCESSES, STANDOFFS
+from ..origami.hinges.propping import propped_print
 from ..origami.hinges.standoff_inputs import LINE_IN_NOZZLES, StandOffs, usual_air
 from ..origami.snap.materials import PLA, material
 from ..origami.snap.table import PITCH_RATIOS, USUAL
@@ -32,7 +35,6 @@ from .keys import TEST_PRINTS
 from .reading import DesignError
 
 if TYPE_CHECKING:
-    from ..origami.hinges.bodies import Drawn
     from ..origami.hinges.parameters import HingeParameters
     from .reading import Design
 
@@ -51,12 +53,16 @@ def files_of(
     parameters = parameters_of(design)
     wanted = tube_design(design, parameters)
     folder.mkdir(parents=True, exist_ok=True)
-    paths, drawn = [], None
+    paths: list[Path] = []
+    drawn, feet = None, []
     for suffix in design.formats:
         if suffix in MESHES:
-            drawn = drawn or _drawn(design, wanted, parameters)
+            if drawn is None:
+                drawn = _drawn(design, wanted, parameters)
+                feet = _pillars(drawn, parameters)
             path = folder / f"{design.stem}-print.{suffix}"
             bodies: list[Any] = [Body(body.name, body, (), None, body.kind) for body in drawn]
+            bodies += feet
         else:
             path = folder / f"{design.stem}.{suffix}"
             model = ThinModel(design.title, wanted.tube(), np.eye(4))
@@ -94,6 +100,7 @@ def parameters_of(design: "Design") -> "HingeParameters":
         table.get("standoff_width") or usual.width,
         table.get("air_layers") or usual_air(found.layer_height, found.gap_between_planes),
         table.get("standoff_rim", usual.rim),
+        table.get("pillars", usual.pillars),
     )
     return replace(found, standoffs=ribs)
 
@@ -212,3 +219,12 @@ def _drawn(design: "Design", wanted: TubeDesign, parameters: "HingeParameters") 
         )
     given = whole.thick, parameters, first, last, left
     return part_drawn(*given, ends=_ends(design), closed=whole.is_closed).bodies
+
+
+def _pillars(drawn: "list[Drawn]", parameters: "HingeParameters") -> list[Body]:
+    """The loose pillars of the print, as one body, if it has some."""
+    found = propped_print(drawn, parameters).pillars
+    if not found:
+        return []
+    body = Drawn("pillars", boundary_of(found), np.eye(4), 0, (), "foot")
+    return [Body("pillars", body, (), None, "foot")]

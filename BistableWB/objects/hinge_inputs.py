@@ -48,6 +48,8 @@ STANDOFF_PROPERTIES = (
     Prop("Integer", "AirLayers", "Stand-offs", "Layers of air between a rib and what it holds up, "
          "so that it comes free; 0: about 0.2 mm", 0),
     Prop("Bool", "StandOffRim", "Stand-offs", "Ribs along the panels' edges too", _STANDOFFS.rim),
+    Prop("Bool", "Pillars", "Stand-offs", "Loose posts under what no rib can hold in the flat "
+         "print; they fall out when the tube is opened", _STANDOFFS.pillars),
 )  # fmt: skip
 
 # Field of `HingeParameters` -> property, where a preset may set it.
@@ -98,6 +100,7 @@ def standoffs_of(obj):
         obj.StandOffWidth.Value or line,
         obj.AirLayers or usual_air(obj.LayerHeight.Value, obj.GapBetweenPlanes.Value),
         obj.StandOffRim,
+        obj.Pillars,
     )
 
 

@@ -219,7 +219,16 @@ class HingeSet(SelfDrawn):
             named.append(("support", body, "support"))
         if model.has_ties(obj.Orientation) and model.tied().ties:
             named.append(("ties", model.tie_shape(), "foot"))
+        if model.has_pillars(obj.Orientation) and self._propped(obj, model).pillars:
+            named.append(("pillars", model.pillar_shape(), "foot"))
         return named
+
+    def _propped(self, obj, model):
+        """`Model.propped`, in the window with progress and Esc: `Cancelled`."""
+        if later.runner is not None and not model.is_propped:
+            order = "pillars", self.order(obj)
+            later.runner.wait(obj, order, lambda progress: model.with_pillars(progress))
+        return model.propped()
 
     def bodies_at(self, obj, opening):
         """[(name, shape, kind), …] at an opening; flexures, which bend, are there at 0 only."""

@@ -20,6 +20,7 @@ from ..origami.hinges.ends import Ends, stands_out
 from ..origami.hinges.meshing import mesh_of
 from ..origami.hinges.parameters import HingeParameters
 from ..origami.hinges.parts import part_drawn
+from ..origami.hinges.propping import propped_print
 from ..origami.hinges.tying import tied
 from ..origami.meshes import PlacedMesh
 from ..origami.progress import NOBODY
@@ -122,6 +123,7 @@ class Model:
 
     more = 0.0, 0.0  # by how much its ends widen the print and make it higher, mm
     _tied = None
+    _propped = None
     studied = None  # conditions and `snap.study.Study`, once asked for
 
     def __init__(self, tube, parameters, bodies, warnings):
@@ -184,6 +186,39 @@ class Model:
     def tie_meshes(self):
         """`Mesh` of every tie, where it stands."""
         return [mesh_of(tie.boundary()).mesh for tie in self.tied().ties]
+
+    def has_pillars(self, orientation):
+        """Whether loose pillars hold what no stand-off can in the print."""
+        return self.parameters.has_pillars and orientation == "Flat"
+
+    def propped(self, progress=NOBODY):
+        """`Propped`: the pillars of the flat print; a third of a second a unit."""
+        if self._propped is None:
+            self._propped = propped_print(self.bodies, self.parameters, progress)
+        return self._propped
+
+    @property
+    def is_propped(self):
+        """Whether its pillars are known."""
+        return self._propped is not None
+
+    def with_pillars(self, progress=NOBODY):
+        """The model itself, with its pillars known."""
+        return self if self.propped(progress) else None
+
+    def pillar_bodies(self):
+        """`PlacedMesh` of every pillar, in the unit of what it holds."""
+        return [
+            PlacedMesh(f"pillar{k}", mesh_of(pillar.boundary()).mesh, np.eye(4),
+                       self.bodies[pillar.holds].unit, (), "foot")
+            for k, pillar in enumerate(self.propped().pillars, 1)
+        ]  # fmt: skip
+
+    def foot_meshes(self, orientation):
+        """`Mesh` of every tie or pillar of a print, where it stands."""
+        if self.has_ties(orientation):
+            return self.tie_meshes()
+        return [body.mesh for body in self.pillar_bodies()] if self.has_pillars(orientation) else []
 
     def _drawn(self, stand):
         """`PlacedMesh` of all bodies of the flat print, carried by ``stand`` (4, 4)."""
@@ -260,6 +295,10 @@ class Model:
     def tie_shape(self):
         """Shape of all ties, where they stand."""
         return Part.makeCompound([shape_of(tie.boundary()) for tie in self.tied().ties])
+
+    def pillar_shape(self):
+        """Shape of all pillars, where they stand."""
+        return Part.makeCompound([shape_of(one.boundary()) for one in self.propped().pillars])
 
     def support(self):
         """Shape of the soluble support in the print frame."""

@@ -49,6 +49,54 @@ class Layers(NamedTuple):
         return float(column * PIXEL), float(row * PIXEL), float(layer * layer_height)
 
 
+class Tops:
+    """Heights of what lies further below: of every place the highest layer in which something is.
+
+    Asked for a window like `Layers`, it tells where that layer lies in it.
+    """
+
+    def __init__(self, low: NDArray, end: NDArray) -> None:
+        """``low``, ``end``: (row, column) of the grid that it covers."""
+        self.first = np.append(0, low)
+        self.highest = np.full(np.subtract(end, low), -1, np.int16)
+
+    @property
+    def end(self) -> NDArray:
+        """Layer, row and column behind the last ones."""
+        return np.append(int(self.highest.max(initial=-1)) + 1, self.first[1:] + self.highest.shape)
+
+    def add(self, one: Layers) -> None:
+        """Put `Layers` below."""
+        if not one.inside.size:
+            return
+        top = len(one.inside) - 1 - one.inside[::-1].argmax(0) + one.first[0]
+        low, end = one.first[1:] - self.first[1:], one.end[1:] - self.first[1:]
+        here = self.highest[low[0] : end[0], low[1] : end[1]]
+        np.maximum(here, np.where(one.inside.any(0), top, -1), out=here)
+
+    def part(self, low: NDArray, end: NDArray) -> NDArray:
+        """Highest layers in a window (rows, columns), −1 where nothing is, also beyond the grid."""
+        found = np.full(np.subtract(end, low), -1, np.int16)
+        start = np.maximum(low, self.first[1:])
+        stop = np.minimum(end, self.first[1:] + self.highest.shape)
+        if (start < stop).all():
+            into = tuple(map(slice, start - low, stop - low))
+            here = tuple(map(slice, start - self.first[1:], stop - self.first[1:]))
+            found[into] = self.highest[here]
+        return found
+
+    def window(self, low: NDArray, high: NDArray) -> NDArray:
+        """(1, rows, columns) bool: where the highest layer lies between two corners of the grid."""
+        top = self.part(low[1:], high[1:])
+        return ((top >= max(low[0], 0)) & (top < high[0]))[None]
+
+
+def extent(bounds: NDArray) -> tuple[NDArray, NDArray]:
+    """(low, end), each (row, column), of the part of the grid that boxes (n, 2, 3), mm, lie in."""
+    low = np.floor(bounds[:, 0, 1::-1].min(0) / PIXEL).astype(int) - 1
+    return low, np.ceil(bounds[:, 1, 1::-1].max(0) / PIXEL).astype(int) + 2
+
+
 def layers(mesh: "Mesh", layer_height: float) -> "Layers":
     """`Layers` of a closed `Mesh` in the print frame, from its first to its last; maybe none."""
     low, high = mesh.bounds / [PIXEL, PIXEL, layer_height]

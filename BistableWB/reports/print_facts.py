@@ -23,7 +23,7 @@ from ..origami.units.creases import CREASES
 from ..solids.matrices import array_of
 from ..solids.tessellation import VIEW, placed_meshes
 from .snap_section import snap_section
-from .tie_section import tie_section
+from .tie_section import pillar_section, tie_section
 
 _OPENINGS = (0, 0.25, 0.5, 0.75, 1)
 _CLOSE_UP = "AP_left_upper"  # the hinge of the close-up
@@ -86,6 +86,9 @@ class HingedTube:
             names = [body.name for body in self.model.bodies]
             given = names, self._volume, self.model.parameters, conditions.material
             told.append(tie_section(self.model.tied(), *given))
+        if self.model.has_pillars(self.obj.Orientation):
+            propped = self.model.propped(progress)
+            told += [pillar_section(propped, self._volume)] * bool(propped.pillars)
         return told
 
     @property

@@ -74,7 +74,7 @@ def modes(hinge_set, progress=None, printer=None, speed="quality"):
         model = _model(hinge_set, name)
         stand = array_of(model.standing(process.orientation))
         meshes = [b.mesh.moved(stand @ b.place) for b in placed_meshes(model.bodies)]
-        ties = model.tie_meshes() if model.has_ties(process.orientation) else []
+        ties = model.foot_meshes(process.orientation)
         make = _sliced if has_slicer else _guessed
         made = make(name, [*meshes, *ties], printer, progress, speed)
         cut = sum(tie.volume for tie in ties)  # comes off as waste

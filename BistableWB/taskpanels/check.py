@@ -161,7 +161,7 @@ class CheckPanel:
         )
 
     def _slice(self, suite):
-        bodies, printer = suite.standing_bodies(), suite.printer
+        bodies, printer = suite.printed_bodies(), suite.printer
         return toolpaths.check_toolpaths(bodies, suite.parameters, printer, self._progress)
 
     def offer(self, text, tip, step):

@@ -1400,6 +1400,10 @@
    <translation>Sofort</translation>
   </message>
   <message>
+   <source>Loose posts under what no rib can hold in the flat print; they fall out when the tube is opened</source>
+   <translation>Lose Pfosten unter dem, was im flachen Druck keine Rippe halten kann; sie fallen heraus, wenn die Röhre geöffnet wird</translation>
+  </message>
+  <message>
    <source>Magnet</source>
    <translation>Magnet</translation>
   </message>
@@ -1506,6 +1510,10 @@
   <message>
    <source>Piano</source>
    <translation>Klavierband</translation>
+  </message>
+  <message>
+   <source>Pillars</source>
+   <translation>Pfeiler</translation>
   </message>
   <message>
    <source>Pin</source>
@@ -2417,6 +2425,10 @@
   <message>
    <source>Left out: {count} × {what} ({why})</source>
    <translation>Ausgelassen: {count} × {what} ({why})</translation>
+  </message>
+  <message>
+   <source>Loose pillars</source>
+   <translation>Lose Pfeiler</translation>
   </message>
   <message>
    <source>MJCF is the mechanism of one print</source>
@@ -4609,6 +4621,14 @@
   <message>
    <source>{count} exact duplicates are left out</source>
    <translation>{count} genaue Doppelte sind ausgelassen</translation>
+  </message>
+  <message>
+   <source>{count} loose pillars hold what reaches beyond the panels below, in {places} places; {left:.2f} mm² are left. They take {taken:.2f} cm³, {share:.1%} of the plastic, keep a layer of air from everything and fall out when the tube is opened for the first time: open it a little, and shake. {bed} stand on the bed.</source>
+   <translation>{count} lose Pfeiler halten an {places} Stellen, was über die Platten darunter hinausragt; {left:.2f} mm² bleiben übrig. Sie brauchen {taken:.2f} cm³, {share:.1%} des Kunststoffs, halten von allem eine Schicht Luft und fallen heraus, wenn die Röhre zum ersten Mal geöffnet wird: etwas öffnen und schütteln. {bed} stehen auf dem Druckbett.</translation>
+  </message>
+  <message>
+   <source>{count} loose pillars, {volume:.1f} cm³, hold what reaches beyond the panels below: they fall out when the tube is opened.</source>
+   <translation>{count} lose Pfeiler, {volume:.1f} cm³, halten, was über die Platten darunter hinausragt: sie fallen heraus, wenn die Röhre geöffnet wird.</translation>
   </message>
   <message>
    <source>{count} pieces without length are left out</source>

@@ -69,6 +69,11 @@ class HingeParameters:
         return PROCESSES[self.process].held == BY_TIES and self.has_knuckles
 
     @property
+    def has_pillars(self) -> bool:
+        """Whether loose pillars hold, in the flat print, what no stand-off can."""
+        return self.standoffs is not None and self.standoffs.pillars and self.has_knuckles
+
+    @property
     def pitch(self) -> float:
         """Distance p = t + g between mid-planes of stacked panels (mm)."""
         return self.face_thickness + self.gap_between_planes

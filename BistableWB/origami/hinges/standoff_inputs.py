@@ -20,13 +20,15 @@ class StandOffs:
     """Ribs that hold up the panel above in the print: see `standoffs`.
 
     ``spacing`` of the ribs, both ways, and their ``width`` (mm); ``air_layers`` between them and
-    what they hold; ``rim``: whether they run along the panels' edges too.
+    what they hold; ``rim``: whether they run along the panels' edges too; ``pillars``: whether
+    loose posts hold what no rib can (`propping`).
     """
 
     spacing: float = 8.0
     width: float = 0.45
     air_layers: int = 1
     rim: bool = True
+    pillars: bool = True
 
 
 def usual_air(layer_height: float, gap: float) -> int:

@@ -17,7 +17,6 @@ from ..meshes import component_labels
 
 REACH = 1.5  # mm beyond what lies below that a printer lays in the air
 SMALL = 0.1  # mm²: less is no start
-_NEIGHBOURS = ((0, 0), (0, 1), (1, -1), (1, 0), (1, 1))
 
 
 class Start(NamedTuple):
@@ -89,19 +88,24 @@ def _of_layer(
 
 
 def labelled(area: NDArray) -> tuple[NDArray, int]:
-    """Numbers (rows, columns) of the connected pieces of a bool raster from 1 on, and how many."""
-    index = np.full(area.shape, -1)
-    count = int(area.sum())
-    index[area] = np.arange(count)
-    pairs = []
-    padded = np.pad(index, 1, constant_values=-1)
-    rows, columns = area.shape
-    for dy, dx in _NEIGHBOURS:
-        other = padded[1 + dy : 1 + dy + rows, 1 + dx : 1 + dx + columns]
-        both = (index >= 0) & (other >= 0)
-        pairs.append(np.stack([index[both], other[both]], 1))
+    """Numbers (rows, columns) of the connected pieces of a bool raster from 1 on, and how many.
+
+    Pixels hang together along sides and corners. Joined are whole runs of a row, not pixels.
+    """
     labels = np.zeros(area.shape, int)
-    if count:
-        found = component_labels(np.concatenate(pairs), count)[:count]
-        labels[area] = found + 1
-    return labels, int(labels.max(initial=0))
+    edges = np.diff(np.pad(area, ((0, 0), (1, 1))).astype(np.int8), axis=1)
+    row, start = np.nonzero(edges > 0)
+    if not len(row):
+        return labels, 0
+    end = np.nonzero(edges < 0)[1]
+    wide = area.shape[1] + 2  # so that runs of all rows are in one order
+    first = np.searchsorted(row * wide + end, (row + 1) * wide + start, "left")
+    last = np.searchsorted(row * wide + start, (row + 1) * wide + end, "right")
+    count = np.maximum(last - first, 0)
+    upper = np.repeat(np.arange(len(row)), count)
+    lower = np.arange(len(upper)) - np.repeat(np.cumsum(count) - count - first, count)
+    itself = np.repeat(np.arange(len(row))[:, None], 2, 1)  # its label comes first
+    pairs = np.concatenate([itself, np.stack([upper, lower], 1)])
+    found = component_labels(pairs, len(row))[: len(row)] + 1
+    labels[area] = np.repeat(found, end - start)
+    return labels, int(found.max())
