@@ -84,6 +84,8 @@ TABLES = {
         "join": Key(length, "", "0.01", 0, 1000),
         "sphere_radius": Key(length, "SphereRadius", "150", **_SIZE),
         "sphere_center": Key(vector, "SphereCenter", "[0, 0, 0]", **_PLACE),
+        "omega": Key(angle, "Omega", "0", 0, 90),
+        "omega_edge_length": Key(length, "OmegaEdgeLength", "60", **_SIZE),
         "ruling_kind": Key(choice, "RulingKind", '"Automatic"', choices=RULING_KINDS),
         "ruling": Key(vector, "Ruling", "[0, 0, 1]", **_PLACE),
     },

@@ -254,6 +254,11 @@ def _check_together(path: Path, tables: Mapping[str, Mapping[str, Any]]) -> None
             "[curve] has neither points nor source; add points = {example}",
             example=example_of("curve", "points"),
         )
+    _check_family(curve, refuse)
+
+
+def _check_family(curve: Mapping[str, Any], refuse: Callable[..., Any]) -> None:
+    """What only some curves have."""
     for key in OF_SOURCE:
         if key in curve and "source" not in curve:
             refuse(
@@ -261,8 +266,9 @@ def _check_together(path: Path, tables: Mapping[str, Mapping[str, Any]]) -> None
                 key=key,
             )
     kind = curve.get("kind", AUTOMATIC)
+    instead = getattr(FAMILIES.get(kind), "instead", {})
     for key, example in getattr(FAMILIES.get(kind), "needed", {}).items():
-        if key not in curve:
+        if key not in curve and instead.get(key) not in curve:
             refuse(
                 "[curve] kind {kind} needs a {key}; add {key} = {example}",
                 kind=kind,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Curve: a Bézier by control points, or linked geometry; in a plane, on a sphere or in space."""
 
+import math
 import re
 from functools import lru_cache
 
@@ -18,6 +19,7 @@ from ..origami.curves.spheres import Projected, Wrapped
 from ..origami.design import CurveGeometry
 from ..origami.errors import Refusal
 from ..origami.fit.defaults import usual_edge_length
+from ..origami.units.closed_forms import contact_radius
 from ..solids.matrices import array_of
 from .base import BistableObject, Prop, Result, global_placement, set_result
 from .edges import EdgeChain, edges_of
@@ -45,6 +47,10 @@ class Curve(BistableObject):
              "units can follow; 0: as much as units of the usual size ask for and fits", 0.0),
         Prop("Length", "SphereRadius", "Sphere", "Radius of the sphere that carries the curve",
              150.0),
+        Prop("Angle", "Omega", "Sphere", "Base angle ω that the contact trapezoids shall have: "
+             "sets SphereRadius to OmegaEdgeLength / 2 · tan ω. 0: SphereRadius is given", 0.0),
+        Prop("Length", "OmegaEdgeLength", "Sphere", "EdgeLength ‖AB‖ of the units that Omega is "
+             "wanted for", 60.0),
         Prop("Vector", "SphereCenter", "Sphere", "Centre of the sphere; all legs of the strips "
              "point to it", App.Vector(0, 0, 0)),
         Prop("Enumeration", "RulingKind", "General", "Automatic: the direction or viewpoint from "
@@ -71,6 +77,8 @@ class Curve(BistableObject):
 
     def generate(self, obj):
         """Shape of the curve and its length; ValueError for a curve that no tube can follow."""
+        if obj.Kind == "Sphere" and obj.Omega.Value:
+            set_result(obj, SphereRadius=App.Units.Quantity(_radius_for(obj), App.Units.Length))
         geometry = self.held(local_geometry(obj))
         table = CurveTable(geometry.curve, 1e9)
         length = float(table.lengths[-1])
@@ -177,6 +185,24 @@ def _plane_normal(geometry):
 @lru_cache(maxsize=16)
 def _found_kind(geometry):
     return found_kind(geometry.curve)
+
+
+def _radius_for(obj):
+    """Radius (mm) of the sphere on which units have the wanted base angle ω."""
+    omega, edge = obj.Omega.Value, obj.OmegaEdgeLength.Value
+    if not 0 < omega < 90:
+        raise Refusal(
+            "{Omega} is {omega:.6g}°: set it between 0° and 90°, or to 0 to give {SphereRadius}.",
+            parameter="Omega",
+            omega=omega,
+        )
+    if not (math.isfinite(edge) and edge > 0):
+        raise Refusal(
+            "{OmegaEdgeLength} is {edge:.6g} mm: set it to the {EdgeLength} of the units.",
+            parameter="OmegaEdgeLength",
+            edge=edge,
+        )
+    return float(contact_radius(edge, np.radians(omega)))
 
 
 def _on_sphere(obj, curve):

@@ -208,10 +208,13 @@ class Model:
 
     def pillar_bodies(self):
         """`PlacedMesh` of every pillar, in the unit of what it holds."""
+        found = self.propped()
         return [
-            PlacedMesh(f"pillar{k}", mesh_of(pillar.boundary()).mesh, np.eye(4),
+            PlacedMesh(f"pillar{k}", mesh_of(boundary).mesh, np.eye(4),
                        self.bodies[pillar.holds].unit, (), "foot")
-            for k, pillar in enumerate(self.propped().pillars, 1)
+            for k, (pillar, boundary) in enumerate(
+                zip(found.pillars, found.boundaries, strict=True), 1
+            )
         ]  # fmt: skip
 
     def foot_meshes(self, orientation):
@@ -298,7 +301,7 @@ class Model:
 
     def pillar_shape(self):
         """Shape of all pillars, where they stand."""
-        return Part.makeCompound([shape_of(one.boundary()) for one in self.propped().pillars])
+        return Part.makeCompound([shape_of(one) for one in self.propped().boundaries])
 
     def support(self):
         """Shape of the soluble support in the print frame."""

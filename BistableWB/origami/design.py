@@ -155,6 +155,11 @@ class Thickness:
     preload: float | None = 0.0
     hinges: HingeParameters | None = None
 
+    def __post_init__(self) -> None:
+        """Stand-offs move no axis: tubes that differ in them only are solved once."""
+        if self.hinges is not None and self.hinges.standoffs is not None:
+            object.__setattr__(self, "hinges", replace(self.hinges, standoffs=None))
+
     @property
     def pitch(self) -> float:
         """Distance between the mid-planes of stacked panels (mm)."""

@@ -68,11 +68,27 @@ class Tessellator:
         made = boundary_of(shape)
         if made is not None:
             return mesh_of_boundary(made[0], self.linear), made[1]
+        together = self._several(shape)
+        if together is not None:
+            return together, np.eye(4)
         place = array_of(shape.Placement)
         own = Part.Shape(shape)
         own.Placement = type(shape.Placement)()
         found, between = self._of(own)
         return found, place @ between
+
+    def _several(self, shape: Part.Shape) -> Meshed | None:
+        """`Meshed` of a compound of our own solids (ties, pillars), which stay apart."""
+        solids = shape.Solids if shape.ShapeType == "Compound" else []
+        made = [boundary_of(solid) for solid in solids]
+        if not made or None in made:
+            return None
+        parts = [self.meshed(solid) for solid in solids]
+        first = np.cumsum([0, *(solid.countElement("Face") for solid in solids)])[:-1]
+        return _joined([
+            Meshed(part.mesh.moved(place), part.faces + k, part.cones + k)
+            for (part, place), k in zip(parts, first, strict=True)
+        ])  # fmt: skip
 
     def _of(self, own: Part.Shape) -> tuple[Meshed, NDArray]:
         """(`Meshed`, matrix) of a body without its placement; one that was here is found fast."""
@@ -147,11 +163,10 @@ def meshed_of(
     if len(solids) > 1:
         parts = [meshed_of(solid, linear, angular) for solid in solids]
         first = np.cumsum([0, *(solid.countElement("Face") for solid in solids)])[:-1]
-        faces, cones = (
-            np.concatenate([getattr(p, what) + k for p, k in zip(parts, first, strict=True)])
-            for what in ("faces", "cones")
-        )
-        return Meshed(joined([part.mesh for part in parts]), faces, cones)
+        return _joined([
+            Meshed(part.mesh, part.faces + k, part.cones + k)
+            for part, k in zip(parts, first, strict=True)
+        ])  # fmt: skip
     every = shape.Faces
     is_cone = np.array([isinstance(face.Surface, Part.Cone) for face in every], bool)
     cones = np.flatnonzero(is_cone)
@@ -163,6 +178,14 @@ def meshed_of(
             mesh, strips = closed
             return Meshed(mesh, np.concatenate([kept[faces], cones[strips]]), cones)
     return Meshed(*_from_kernel(shape, linear, angular), cones)
+
+
+def _joined(parts: Sequence[Meshed]) -> Meshed:
+    """Several as one, whose faces are numbered through."""
+    faces, cones = (
+        np.concatenate([getattr(p, what) for p in parts]) for what in ("faces", "cones")
+    )
+    return Meshed(joined([part.mesh for part in parts]), faces, cones)
 
 
 def _from_kernel(shape: Part.Shape, linear: float, angular: float) -> tuple[Mesh, NDArray]:

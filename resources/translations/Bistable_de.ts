@@ -816,6 +816,10 @@
    <translation>Basiswinkel ω der Kontakttrapeze der einzelnen Einheit; 90° ist eine ebene Einheit, weniger eine auf einer Kugel</translation>
   </message>
   <message>
+   <source>Base angle ω that the contact trapezoids shall have: sets SphereRadius to OmegaEdgeLength / 2 · tan ω. 0: SphereRadius is given</source>
+   <translation>Basiswinkel ω, den die Kontakttrapeze haben sollen: setzt SphereRadius auf OmegaEdgeLength / 2 · tan ω. 0: SphereRadius ist gegeben</translation>
+  </message>
+  <message>
    <source>Bed</source>
    <translation>Druckraum</translation>
   </message>
@@ -1046,6 +1050,10 @@
   <message>
    <source>Edge, wire, sketch or Draft curve to follow instead of Points</source>
    <translation>Kante, Draht, Skizze oder Draft-Kurve, der statt der Punkte gefolgt wird</translation>
+  </message>
+  <message>
+   <source>EdgeLength ‖AB‖ of the units that Omega is wanted for</source>
+   <translation>EdgeLength ‖AB‖ der Einheiten, für die Omega gewünscht ist</translation>
   </message>
   <message>
    <source>End direction</source>
@@ -1474,6 +1482,10 @@
   <message>
    <source>Omega</source>
    <translation>Omega</translation>
+  </message>
+  <message>
+   <source>Omega edge length</source>
+   <translation>Kantenlänge zu Omega</translation>
   </message>
   <message>
    <source>Omegas</source>
@@ -4413,6 +4425,14 @@
   <message>
    <source>{Material} {name} is unknown</source>
    <translation>{Material} {name} ist unbekannt</translation>
+  </message>
+  <message>
+   <source>{OmegaEdgeLength} is {edge:.6g} mm: set it to the {EdgeLength} of the units.</source>
+   <translation>{OmegaEdgeLength} ist {edge:.6g} mm: setze es auf {EdgeLength} der Einheiten.</translation>
+  </message>
+  <message>
+   <source>{Omega} is {omega:.6g}°: set it between 0° and 90°, or to 0 to give {SphereRadius}.</source>
+   <translation>{Omega} ist {omega:.6g}°: setze es zwischen 0° und 90°, oder auf 0, um {SphereRadius} anzugeben.</translation>
   </message>
   <message>
    <source>{Omega} is {omega:.6g}°: set it to 90° for a plane unit, or above 0° and below 90° for a unit on a sphere.</source>

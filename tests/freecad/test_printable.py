@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make it printable: one call from a drawn curve to prints that snap, whatever the curve."""
 
+import itertools
 import json
-import time
 from pathlib import Path
 
 import FreeCAD as App
@@ -11,11 +11,12 @@ import Part
 import pytest
 
 from BistableWB import fitting, make
+from BistableWB.origami.fit import printable
 from BistableWB.origami.progress import Cancelled, Progress
 
 CURVES = json.loads((Path(__file__).parents[1] / "data" / "curves.json").read_text())
 BED = (250.0, 210.0, 210.0)
-SECONDS = 60 * 3  # on slower machines, beside other work
+TRIED = 40  # prints that are solved and measured on the way to one answer, at most
 
 
 def drawn(doc, name):
@@ -40,14 +41,24 @@ def check(made, margin=1.2):
     assert made.margin == pytest.approx(min(margins), rel=0.01)
     assert made.promised == pytest.approx(min(margins), rel=0.01)
     assert min(margins) >= 0.999 * margin
-    assert made.end_gap <= 0.01 * made.triangles.EdgeLength.Value
-    end = made.curve.Shape.Vertexes[-1].Point
-    last = made.triangles.Shape.Vertexes[-1].Point
-    assert end.distanceToPoint(last) < made.triangles.EdgeLength.Value
+    if not made.curve.Closed:
+        edge = made.triangles.EdgeLength.Value
+        for vertex in made.curve.Shape.Vertexes[0], made.curve.Shape.Vertexes[-1]:
+            assert distance_of_bases(made.triangles, vertex.Point) <= 0.01 * edge
+        for hinges in made.hinge_sets:
+            assert hinges.CurveDeviation.Value <= 0.01 * edge
     for hinges in made.hinge_sets:
         size = sorted(hinges.PrintSize[:2])
         assert hinges.PrintSize.z <= BED[2] + 1e-6
         assert size[0] <= np.hypot(*BED[:2])
+
+
+def distance_of_bases(triangles, point):
+    """From a point to the nearest middle of the bases A–B that are drawn of the triangles."""
+    corners = [vertex.Point for vertex in triangles.Shape.Vertexes]
+    bases = [(a, b) for a, b in itertools.pairwise(corners)
+             if abs(a.distanceToPoint(b) - triangles.EdgeLength.Value) < 1e-4]  # fmt: skip
+    return min(point.distanceToPoint((a + b) / 2) for a, b in bases)
 
 
 def test_an_arch_is_made_printable_in_one_step_of_undo(doc, valid):
@@ -109,18 +120,21 @@ def test_a_search_can_be_cancelled_and_changes_nothing(doc, valid):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [n for n in CURVES if n not in ("arch", "bracelet")])
-def test_curves_that_designers_draw(doc, valid, name):
+def test_curves_that_designers_draw(doc, valid, name, monkeypatch):
     curve = drawn(doc, name)
     valid(doc)
-    start = time.process_time()
+    tried = []
+    measure = printable.Search._measured
+    monkeypatch.setattr(
+        printable.Search, "_measured", lambda self, *a: tried.append(a) or measure(self, *a)
+    )
     made = fitting.make_printable(curve, BED)
-    assert time.process_time() - start < SECONDS
     check(made)
+    assert 0 < len(tried) <= TRIED
 
 
 @pytest.mark.slow
-def test_a_curve_too_tight_says_what_stands_in_the_way(doc, valid):
+def test_a_bracelet_is_printed_by_finer_hinges(doc, valid):
     made = fitting.make_printable(drawn(doc, "bracelet"), BED)
-    assert made.triangles is None or made.triangles.isValid()
-    if made.blocked is not None:
-        assert "margin" in made.blocked or "mm" in made.blocked
+    check(made)
+    assert made.hinge_sets[0].FaceThickness.Value < 1.2

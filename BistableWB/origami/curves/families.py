@@ -14,7 +14,8 @@ class Family(NamedTuple):
     ``tip``: what it is to someone who chooses it in a panel, by names of properties;
     ``wraps``: whether points without heights are a plan that is laid on it;
     ``keys``: {key of [curve]: property} of what only this family uses; ``needed``: those without
-    which there is none, with an example; ``found``: whether they count where it was found too.
+    which there is none, with an example; ``instead``: {one of these: another that gives it};
+    ``found``: whether they count where it was found too.
     """
 
     curve: str
@@ -22,6 +23,7 @@ class Family(NamedTuple):
     icon: str = "Curve"
     keys: dict = {}
     needed: dict = {}
+    instead: dict = {}
     found: bool = False
     tip: str = ""
     wraps: bool = False
@@ -33,8 +35,14 @@ FAMILIES = {
         "on a sphere about V",
         "through the centre V",
         "CurveOnSphere",
-        {"sphere_radius": "SphereRadius", "sphere_center": "SphereCenter"},
+        {
+            "sphere_radius": "SphereRadius",
+            "sphere_center": "SphereCenter",
+            "omega": "Omega",
+            "omega_edge_length": "OmegaEdgeLength",
+        },
         {"sphere_radius": "150 (mm)"},
+        {"sphere_radius": "omega"},
         tip="on the sphere of SphereRadius about SphereCenter",
         wraps=True,
     ),

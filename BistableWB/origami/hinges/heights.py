@@ -30,6 +30,7 @@ PIXEL = 0.2  # mm
 _SURE = 0.05  # mm by which bodies on the way stay clear of a stand-off, besides the play
 _TOGETHER = 32  # spots that are looked at as one, by their box
 _AT_ONCE = 100_000  # spots that are moved
+_UPRIGHT = 1e-12  # cosine below which an edge runs along x
 _STEEP = 0.5  # of a barrel's radius: beyond, its underside carries itself (60° from the vertical)
 
 
@@ -180,13 +181,28 @@ def _raise(made: Heights, corners: Sequence[complex], grown: float, ends: Ends) 
     rows, columns = low.shape
     x = made.corner.real + (span[1].start + np.arange(columns) + 0.5) * PIXEL
     z = made.corner.imag + (span[0].start + np.arange(rows)[:, None] + 0.5) * PIXEL
-    inside = np.ones(low.shape, bool)
-    for a, b in zip(corners, [*corners[1:], corners[0]], strict=True):
-        if a != b:
-            inside &= _beyond(x, z, a, 1j * polygons.unit(b - a)) >= -grown
+    start, end = _stretches(corners, grown, z[:, 0])
+    inside = (x >= start[:, None]) & (x <= end[:, None])
     bottom, top = ends(x, z)
     np.copyto(low, np.minimum(low, bottom), where=inside)
     np.copyto(high, np.maximum(high, top), where=inside)
+
+
+def _stretches(corners: Sequence[complex], grown: float, z: NDArray) -> tuple[NDArray, NDArray]:
+    """From where to where in x, at each of z (rows,), a grown convex polygon reaches."""
+    start, end = np.full(len(z), -np.inf), np.full(len(z), np.inf)
+    for a, b in zip(corners, [*corners[1:], corners[0]], strict=True):
+        if a == b:
+            continue
+        normal = 1j * polygons.unit(b - a)
+        rest = -grown - (z - a.imag) * normal.imag
+        if abs(normal.real) < _UPRIGHT:
+            end[rest > 0] = -np.inf
+        elif normal.real > 0:
+            np.maximum(start, a.real + rest / normal.real, out=start)
+        else:
+            np.minimum(end, a.real + rest / normal.real, out=end)
+    return start, end
 
 
 def mark_taken(hit: NDArray, spots: NDArray, bodies: Sequence[Heights], moves: NDArray) -> None:

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 # mm. Axes almost parallel to each other (by 1e-7) are neither parallel nor not to a CAD kernel.
 _GRID = 1e-4
+_MOST = 200  # units whose layouts are kept: a tube's are asked for many times over
+_KNOWN: dict = {}
 
 
 def unit_layout(
@@ -30,9 +32,20 @@ def unit_layout(
     ``axes``: (23, 2, 3), the ends of each hinge axis in the flat state in the order of `CREASES`
     (plan = x, z), compensation included; ``parameters``: `HingeParameters`; ``edge_length``: ‖AB‖
     mm, for messages.
-    ValueError where a panel or a hinge has no room.
+    ValueError where a panel or a hinge has no room. Layouts are shared: nobody may change one.
     """
     parameters.check()
+    key = parameters, np.asarray(axes, float).tobytes()
+    found = _KNOWN.get(key)
+    if found is None:
+        found = _made(axes, parameters, edge_length)
+        if len(_KNOWN) >= _MOST:
+            _KNOWN.clear()
+        _KNOWN[key] = found
+    return found
+
+
+def _made(axes: NDArray, parameters: "HingeParameters", edge_length: float | None) -> "Layout":
     hinges = axes_of(axes, parameters.pitch)
     try:
         return _laid_out(hinges, parameters)

@@ -9,6 +9,7 @@ from all that carries it.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import ceil, floor
 from typing import TYPE_CHECKING
 
@@ -25,6 +26,7 @@ from .starts import SMALL, labelled
 
 if TYPE_CHECKING:
     from .bodies import Drawn
+    from .boundary import Boundary
     from .parameters import HingeParameters
 
 REACH = 4.9  # mm from a hold that a printer spans, whichever way it bridges
@@ -50,6 +52,11 @@ class Propped:
     pillars: list[Pillar] = field(default_factory=list)
     starts: int = 0
     left: list[tuple[int, int, float]] = field(default_factory=list)
+
+    @cached_property
+    def boundaries(self) -> "list[Boundary]":
+        """Of the pillars."""
+        return [pillar.boundary() for pillar in self.pillars]
 
     @property
     def left_area(self) -> float:
