@@ -11,6 +11,8 @@ from pathlib import Path
 
 from .origami.errors import Refusal
 
+_FORBIDDEN = {ord(character): "-" for character in [*'<>:"/\\|?*', *map(chr, range(32))]}
+_LONGEST = 60  # characters of a label: where each takes four bytes, a number and a suffix fit too
 _ZIPPED = (".3mf", ".fcstd")  # read again before they take their place
 
 
@@ -42,6 +44,12 @@ def write_text(path, text, encoding="utf-8", newline=None):
     """Write a text as a `whole_file`."""
     with whole_file(path) as unfinished:
         unfinished.write_text(text, encoding=encoding, newline=newline)
+
+
+def file_name(label):
+    """``label`` of any object as a file name that every system takes, without a suffix."""
+    name = label.translate(_FORBIDDEN).strip(" .")[:_LONGEST].strip(" .")
+    return name or "-"
 
 
 def check_target(path):

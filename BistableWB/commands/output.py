@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands about the print: write it to a file, check it, report on it."""
 
-import re
 from pathlib import Path
 
 import FreeCAD as App
@@ -10,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from .. import settings
 from ..exporters import FORMATS, suffix_of
+from ..files import file_name
 from ..objects import TYPES, type_of
 from ..objects.links import followed
 from ..origami.errors import Refusal
@@ -96,8 +96,7 @@ def _asked(title, obj, kinds):
     The first kind counts where the name has no suffix and no kind was chosen.
     """
     folder = settings.group().GetString("ExportFolder", str(Path.home()))
-    name = re.sub(r'[<>:"/\\|?*\x00-\x1f]', "-", obj.Label)  # what some system's file names forbid
-    start = str(Path(folder) / f"{obj.Document.Name}-{name}")
+    start = str(Path(folder) / f"{obj.Document.Name}-{file_name(obj.Label)}")
     path, chosen = QtGui.QFileDialog.getSaveFileName(
         Gui.getMainWindow(), title, start, ";;".join(kinds)
     )

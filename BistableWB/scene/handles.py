@@ -19,7 +19,8 @@ _STEEP = 0.12  # sine of the angle to a plane below which the mouse no longer te
 class Handles:
     """Points that the mouse moves. ``changed(points)`` gets the new list in the object's frame.
 
-    ``adding``: whether a click beside all points adds one at the end.
+    ``adding``: whether a click beside all points adds one at the end. Where the object follows
+    other geometry, its points do not count: they are neither drawn nor dragged.
     """
 
     def __init__(self, view, obj, changed):
@@ -44,7 +45,7 @@ class Handles:
 
     def show(self):
         """Draw the points where they are now."""
-        where = [tuple(self._in_space(p)) for p in self.points]
+        where = [tuple(self._in_space(p)) for p in self.points if self._count()]
         self.coordinates.point.setNum(len(where))
         if where:
             self.coordinates.point.setValues(0, len(where), where)
@@ -76,6 +77,8 @@ class Handles:
 
     def press(self, where, button):
         """A button went down; True where that was meant for a point."""
+        if not self._count():
+            return False
         hit = self._hit(where)
         if button == _LEFT and (hit is not None or (self.adding and self._add(where))):
             self.dragged = len(self.points) - 1 if hit is None else hit
@@ -94,8 +97,13 @@ class Handles:
             self._held, self.dragged = None, None
         return ours
 
-    def move(self, where):
-        """The mouse moves; True while it drags a point."""
+    def move(self, where, buttons=_LEFT):
+        """The mouse moves with ``buttons`` held; True while it drags a point.
+
+        FreeCAD swallows a release while it computes: a point whose button is up is let go here.
+        """
+        if self._held is not None and not buttons & self._held:
+            self.release(self._held)
         if self.dragged is None:
             return False
         place = self._under_mouse(where, self.points[self.dragged])
@@ -103,6 +111,9 @@ class Handles:
             self.points[self.dragged] = place
             self._tell()
         return True
+
+    def _count(self):
+        return self.obj.Source is None
 
     def _add(self, where):
         near = self.points[-1] if self.points else App.Vector()
@@ -189,7 +200,7 @@ class _MouseFilter(QtCore.QObject):
         if kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
             return self.handles.press(_share(canvas, event), event.button())
         if kind == QtCore.QEvent.MouseMove:
-            return self.handles.move(_share(canvas, event))
+            return self.handles.move(_share(canvas, event), event.buttons())
         if kind == QtCore.QEvent.MouseButtonRelease:
             return self.handles.release(event.button())
         return False

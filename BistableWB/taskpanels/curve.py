@@ -62,7 +62,8 @@ class CurvePanel(ObjectPanel):
 
     def _follow_kind(self):
         """Show only what counts for this kind of curve."""
-        self.fields["Points"].widget.setEnabled(self.obj.Source is None)
+        if self.obj.Source is not None:
+            self.fields["Points"].add.setChecked(False)
         for kind in set(FAMILIES) & set(self.boxes):
             shown = counts(kind, self.obj.Kind, self.obj.FoundKind)
             self.boxes[kind].parentWidget().setVisible(shown)
@@ -115,6 +116,10 @@ class Points(Field):
                 item.setData(QtCore.Qt.UserRole, coordinate)
                 item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
                 self.table.setItem(row, column, item)
+
+    def is_hidden(self):
+        """See `Field.is_hidden`; what the curve follows counts instead of its points."""
+        return self.obj.Source is not None or super().is_hidden()
 
     def set_points(self, points):
         """Take points from the view."""

@@ -93,6 +93,8 @@ class DeployPanel:
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("Opening")
         self.slider.setRange(0, _STEPS)
+        self.slider.setSingleStep(_STEPS // 100)  # arrow keys: one per cent
+        self.slider.setPageStep(_STEPS // 10)
         self.slider.valueChanged.connect(self._slid)
         row.addWidget(QtGui.QLabel(translate("BistableDeploy", "flat")))
         row.addWidget(self.slider, 1)
@@ -161,12 +163,12 @@ class DeployPanel:
         parts = [translate("BistableDeploy", "{:.0%} open").format(self._opening)]
         if self.colours.currentData() == COLOURS[1]:
             worst = float(self.motion.misfit(self._opening).max())
-            misfit = translate("BistableDeploy", "misfit up to {:.2g} mm (full colour: {:.2g} mm)")
-            parts.append(misfit.format(worst, self.motion.misfit_limit))
+            misfit = translate("BistableDeploy", "misfit up to {} mm (full colour: {} mm)")
+            parts.append(misfit.format(*map(_hundredths, (worst, self.motion.misfit_limit))))
         elif self.colours.currentData() == COLOURS[2]:
             worst = float(self.motion.strain(self._opening).max())
             strain = translate(
-                "BistableDeploy", "strain up to {:.2%} (full colour: {:.1%}, what {} bears)"
+                "BistableDeploy", "strain up to {:.1%} (full colour: {:.1%}, what {} bears)"
             )
             of = self.motion.made_of
             parts.append(strain.format(worst, of.breaking_strain, translate(CONTEXT, of.name)))
@@ -209,3 +211,8 @@ class DeployPanel:
     def frame_rate(self):
         """Frames a second of the last play."""
         return len(self._frames) / sum(self._frames) if self._frames else 0.0
+
+
+def _hundredths(length):
+    """A length in mm as no printer prints finer; "< 0.01" for what is only rounding too."""
+    return f"{length:.2f}" if length >= 0.01 else "< 0.01"

@@ -236,8 +236,12 @@
    <translation>{} entfalten</translation>
   </message>
   <message>
-   <source>Folder for the pictures</source>
-   <translation>Ordner für die Bilder</translation>
+   <source>Every recording makes a folder of its own in this one</source>
+   <translation>Jede Aufnahme legt in diesem einen eigenen Ordner an</translation>
+  </message>
+  <message>
+   <source>Folder for recordings</source>
+   <translation>Ordner für Aufnahmen</translation>
   </message>
   <message>
    <source>Ghost of its play</source>
@@ -252,16 +256,12 @@
    <translation>Wiederholen</translation>
   </message>
   <message>
+   <source>Making the film…</source>
+   <translation>Der Film wird gemacht …</translation>
+  </message>
+  <message>
    <source>Picture {} of {}</source>
    <translation>Bild {} von {}</translation>
-  </message>
-  <message>
-   <source>Pictures</source>
-   <translation>Bilder</translation>
-  </message>
-  <message>
-   <source>Pictures and GIF</source>
-   <translation>Bilder und GIF</translation>
   </message>
   <message>
    <source>Play</source>
@@ -272,6 +272,10 @@
    <translation>Aufnehmen</translation>
   </message>
   <message>
+   <source>Record {}</source>
+   <translation>{} aufnehmen</translation>
+  </message>
+  <message>
    <source>Stop</source>
    <translation>Anhalten</translation>
   </message>
@@ -280,8 +284,8 @@
    <translation>Der Film ist {}.</translation>
   </message>
   <message>
-   <source>There is no folder {}: choose another one.</source>
-   <translation>Es gibt keinen Ordner {}: einen anderen wählen.</translation>
+   <source>The picture {} was not written: is the disk full?</source>
+   <translation>Das Bild {} wurde nicht geschrieben: Ist die Festplatte voll?</translation>
   </message>
   <message>
    <source>all units move on by themselves here</source>
@@ -300,12 +304,12 @@
    <translation>freies Ende ± {:.1f} mm, bevor etwas trägt</translation>
   </message>
   <message>
-   <source>misfit up to {:.2g} mm (full colour: {:.2g} mm)</source>
-   <translation>Passfehler bis {:.2g} mm (volle Farbe: {:.2g} mm)</translation>
+   <source>misfit up to {} mm (full colour: {} mm)</source>
+   <translation>Fehlpassung bis {} mm (volle Farbe: {} mm)</translation>
   </message>
   <message>
-   <source>strain up to {:.2%} (full colour: {:.1%}, what {} bears)</source>
-   <translation>Dehnung bis {:.2%} (volle Farbe: {:.1%}, was {} aushält)</translation>
+   <source>strain up to {:.1%} (full colour: {:.1%}, what {} bears)</source>
+   <translation>Dehnung bis {:.1%} (volle Farbe: {:.1%}, was {} aushält)</translation>
   </message>
   <message>
    <source>unit {} moves on by itself here</source>
@@ -3253,6 +3257,10 @@
   <message>
    <source>export the selected curve by itself</source>
    <translation>exportiere die ausgewählte Kurve für sich</translation>
+  </message>
+  <message>
+   <source>ffmpeg made no film: {reason}.</source>
+   <translation>ffmpeg hat keinen Film gemacht: {reason}.</translation>
   </message>
   <message>
    <source>finer hinges have less play, and fit round tighter bends</source>

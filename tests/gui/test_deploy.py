@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The deployment slider: what it shows and solves, recording, OK and cancel."""
 
+import re
 import time
 
 import FreeCAD as App
@@ -8,11 +9,11 @@ import FreeCADGui as Gui
 import numpy as np
 import pytest
 from pivy import coin
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
-from BistableWB import make
+from BistableWB import make, settings
 from BistableWB.objects.bistable_unit import tube_of
-from BistableWB.recording.frames import has_pillow
+from BistableWB.recording.frames import Recorder, has_pillow
 
 
 def tube_with(units, size=1.0):
@@ -180,8 +181,11 @@ def test_misfit_is_coloured(gui, opened, screenshot):
     panel.colours.setCurrentIndex(1)
     colours = {tuple(c) for c in panel.motion.material.diffuseColor.getValues()}
     assert 1 <= len(colours) <= 12
-    assert "misfit up to" in panel.text.text()
+    assert re.search(r"misfit up to \d+\.\d\d mm \(full colour: \d+\.\d\d mm\)", panel.text.text())
     screenshot("deploy-misfit")
+    panel.set_opening(1)
+    assert "misfit up to < 0.01 mm" in panel.text.text()  # not the rounding, 1e-14
+    panel.set_opening(0.5)
     panel.colours.setCurrentIndex(2)
     strained = [tuple(c) for c in panel.motion.material.diffuseColor.getValues()]
     assert len(strained) == 12 * 12
@@ -195,22 +199,85 @@ def test_misfit_is_coloured(gui, opened, screenshot):
     assert len({tuple(c) for c in panel.motion.material.diffuseColor.getValues()}) == 4
 
 
-def test_recording_writes_pictures_and_a_film(gui, opened, tmp_path):
-    _, units = tube_with(12)
-    panel = opened(units)
+@pytest.fixture
+def record(gui):
+    """``record(panel)``: record, and wait for the films."""
+
+    def run(panel):
+        panel.recorder.button.click()
+        until(panel.recorder.button.isEnabled, gui)
+
+    return run
+
+
+def test_every_recording_has_a_folder_of_its_own_whatever_the_label(
+    opened, record, unit, tmp_path, monkeypatch
+):
+    monkeypatch.setenv("FFMPEG", "no-such-program")
+    unit.Label = "Arm 1/2: 50%"
+    panel = opened(unit)
     panel.recorder.folder.setText(str(tmp_path / "missing"))
     panel.recorder.button.click()
     assert "There is no folder" in panel.recorder.state.text()
     panel.recorder.folder.setText(str(tmp_path))
-    panel.recorder.button.click()
-    end = time.monotonic() + 60
-    while not panel.recorder.button.isEnabled():
-        assert time.monotonic() < end
-        gui()
-    pictures = sorted(tmp_path.glob("*.png"))
+    record(panel)
+    first = tmp_path / "Arm 1-2- 50%"
+    pictures = sorted(first.glob("*.png"))
     assert len(pictures) == 36
     assert not QtGui.QImage(str(pictures[-1])).isNull()
-    assert len(list(tmp_path.glob("*.gif"))) == has_pillow()
+    assert len(list(first.glob("*.gif"))) == has_pillow()
+    before = {path: path.read_bytes() for path in first.iterdir()}
+    record(panel)
+    assert {path: path.read_bytes() for path in first.iterdir()} == before
+    assert sorted(path.name for path in tmp_path.iterdir()) == [first.name, f"{first.name} 2"]
+
+
+def test_the_folder_is_asked_for_once(opened, unit, tmp_path, monkeypatch):
+    settings.group().RemString("RecordFolder")
+    asked = []
+
+    def answer(*args):
+        asked.append(args)
+        return "" if len(asked) == 1 else str(tmp_path)
+
+    monkeypatch.setattr(QtGui.QFileDialog, "getExistingDirectory", answer)
+    panel = opened(unit)
+    panel.recorder.button.click()
+    assert len(asked) == 1
+    assert list(tmp_path.iterdir()) == []  # no folder, no film
+    panel.recorder.button.click()
+    panel.recorder.cancel()
+    assert settings.group().GetString("RecordFolder") == str(tmp_path)
+    assert Recorder(panel).folder.text() == str(tmp_path)
+
+
+def test_ffmpeg_is_given_every_picture_there_and_back(opened, record, unit, tmp_path, monkeypatch):
+    program = tmp_path / "ffmpeg"
+    program.write_text('#!/bin/sh\nfor out; do :; done\ncat > "$out"\n')
+    program.chmod(0o755)
+    monkeypatch.setenv("FFMPEG", str(program))
+    panel = opened(unit)
+    assert "MP4" in panel.recorder.button.text()
+    panel.recorder.folder.setText(str(tmp_path))
+    record(panel)
+    folder = tmp_path / unit.Label
+    pictures = [path.read_bytes() for path in sorted(folder.glob("*.png"))]
+    film = (folder / f"{unit.Label}.mp4").read_bytes()
+    assert film == b"".join([*pictures, *pictures[-2:0:-1]])
+    program.write_text("#!/bin/sh\necho It hurts. >&2\nexit 3\n")
+    record(panel)
+    assert "ffmpeg made no film: It hurts." in panel.recorder.state.text()
+    assert list((tmp_path / f"{unit.Label} 2").glob("*.mp4")) == []
+
+
+def test_arrow_keys_open_by_one_per_cent(opened, unit):
+    panel = opened(unit)
+    panel.set_opening(0.5)
+    for key in (QtCore.Qt.Key_Right, QtCore.Qt.Key_Right, QtCore.Qt.Key_Left):
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier)
+            QtGui.QApplication.sendEvent(panel.slider, event)
+    assert panel.opening == pytest.approx(0.51)
 
 
 def test_thick_bodies_move(gui, opened, screenshot, monkeypatch):

@@ -3,6 +3,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 import pytest
 from PySide import QtCore, QtGui
 
@@ -140,3 +141,57 @@ def test_a_tube_in_another_plane_stays_in_it(clean, mouse):
     assert doc.Curve.Points[1] != App.Vector(0, 0, 120)
     press(QtGui.QDialogButtonBox.Ok, gui)
     assert doc.Curve.isValid()
+
+
+@pytest.fixture
+def edited(clean):
+    """A Curve in the plane z = 0, seen from above, whose panel is open."""
+    doc = App.newDocument("Edited")
+    curve = make.make_curve(doc)
+    doc.recompute()
+    Gui.ActiveDocument.ActiveView.viewTop()
+    Gui.ActiveDocument.ActiveView.fitAll()
+    clean(0.5)
+    Gui.ActiveDocument.setEdit(curve.Name)
+    clean(0.3)
+    return curve
+
+
+def test_a_point_does_not_stick_to_the_mouse_whose_release_was_lost(edited, mouse):
+    start = pixel_of(edited.Points[1])
+    mouse.move(canvas(), start)
+    mouse.press(canvas(), start)
+    mouse.move(canvas(), start + QtCore.QPoint(20, 30), mouse.LEFT)
+    left = edited.Points
+    for away in (60, 90):  # FreeCAD computes, and swallows the release
+        mouse.move(canvas(), start + QtCore.QPoint(away, away))
+    assert edited.Points == left
+    again = pixel_of(left[1])
+    mouse.drag(canvas(), again, again + QtCore.QPoint(-20, 0))
+    assert edited.Points[1] != left[1]
+
+
+def test_points_of_a_curve_that_follows_a_wire_are_neither_shown_nor_dragged(edited, mouse, gui):
+    doc = edited.Document
+    panel = Gui.getMainWindow().findChild(QtGui.QWidget, "BistablePanel")
+    table = panel.findChild(QtGui.QTableWidget, "PointsTable")
+    assert table.isVisible()
+    points, start = edited.Points, pixel_of(edited.Points[1])
+    wire = doc.addObject("Part::Feature", "Wire")
+    corners = [App.Vector(0, 0), App.Vector(0, 80), App.Vector(200, 80), App.Vector(200, 0)]
+    wire.Shape = bezier(corners)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(wire)
+    panel.findChild(QtGui.QPushButton, "UseSelection").click()
+    gui(0.3)
+    assert edited.Source[0] is wire
+    assert not table.isVisible()
+    mouse.drag(canvas(), start, start + QtCore.QPoint(30, 30))
+    assert edited.Points == points
+
+
+def bezier(corners):
+    """Shape of a Bézier curve."""
+    curve = Part.BezierCurve()
+    curve.setPoles(corners)
+    return curve.toShape()
