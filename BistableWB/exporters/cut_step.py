@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut panels as solids, one named shape a panel, lying on their sheets; without screw holes."""
+"""Cut panels as solids, one named shape a panel, lying on their sheets, with pilot holes for screws."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..origami.hinges.support import prism
 from ..origami.patterns.cut_plan import carried
+from ..origami.patterns.panel_solid import panel_boundary
 from ..solids.shapes import shape_of
 from . import step
 from .bodies import Body
@@ -32,6 +32,10 @@ def write(
         piece = plan.pieces[place.piece]
         down = 1j * place.sheet * (plan.stock[1] + BETWEEN)
         corners = (carried(np.array(piece.outline), place) - down).tolist()
-        shape = shape_of(prism(corners, 0.0, panel_thickness))
+        holes = [
+            (complex(carried(np.array([p]), place)[0] - down), seen) for p, seen in piece.holes
+        ]
+        drilled = plan.wishes.panel_hinge.hole
+        shape = shape_of(panel_boundary(corners, holes, drilled, panel_thickness))
         made.append(Body(piece.label, shape, (), None, piece.kind))
     step.write(made, path)

@@ -13,9 +13,12 @@ from BistableWB.origami.curves.bezier import Bezier
 from BistableWB.origami.curves.rules import END_FIT
 from BistableWB.origami.design import CurveGeometry, Placing, Single, TubeDesign
 from BistableWB.origami.errors import Refusal
+from BistableWB.origami.hinges.meshing import mesh_of
+from BistableWB.origami.meshes import unpaired_edges
 from BistableWB.origami.patterns.cut_plan import CutWishes, carried, cut_plan
 from BistableWB.origami.patterns.nesting import distance
 from BistableWB.origami.patterns.panel_hinges import PANEL_HINGES
+from BistableWB.origami.patterns.panel_solid import panel_boundary
 from BistableWB.origami.units.creases import (
     BODIES,
     CREASES,
@@ -259,3 +262,14 @@ def test_the_edge_length_that_a_refusal_names_fits():
     assert error.value.parameter == "EdgeLength"
     most = float(error.value.message.pieces["most"])
     cut_plan("It", design(edge=most), CutWishes(stock="900x600"))
+
+
+def test_a_panel_with_pilot_holes_is_closed_and_lacks_what_is_drilled():
+    outline = [0j, 400 + 0j, 380 + 250j, 20 + 250j]
+    holes = [(50 + 20j, True), (200 + 20j, True), (60 + 230j, False)]
+    mesh = mesh_of(panel_boundary(outline, holes, 2.0, 18.0), 0.001).mesh
+    assert not len(unpaired_edges(mesh.triangles))
+    drilled = 3 * np.pi * 1.0**2 * 12.0
+    assert mesh.volume == pytest.approx(380 * 250 * 18 - drilled, abs=0.02 * drilled)
+    below = mesh.vertices[np.abs(mesh.vertices[:, 2] - 12) < 1e-6]
+    assert np.linalg.norm(below[:, :2] - [60, 230], axis=1) == pytest.approx(1, abs=1e-6)
