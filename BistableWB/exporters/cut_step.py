@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut panels as solids, one named shape a panel, lying on their sheets, with pilot holes for screws."""
+"""Cut panels as solids, one named shape a panel, lying on their sheets, with pilot holes."""
 
 from collections.abc import Sequence
 from pathlib import Path
