@@ -143,6 +143,8 @@ TABLES = {
         "start_part": Key(choice, "StartPart", '"Plain"', choices=END_KINDS),
         "end_part": Key(choice, "EndPart", '"Flange"', choices=END_KINDS),
         "plate_thickness": Key(length, "PlateThickness", "0", 0, 1000),
+        "foot_point": Key(vector, "FootPoint", "[0, 0, 0]", **_PLACE),
+        "foot_normal": Key(vector, "FootNormal", "[0, 0, 1]", **_PLACE),
         "deployment": Key(number, "Deployment", "0", 0, 1),
     },
     "coupon": {

@@ -19,6 +19,7 @@ from ..exporters.thin import ThinModel
 from ..origami.design import Placing, Thickness, TubeDesign
 from ..origami.hinges.bodies import Drawn
 from ..origami.hinges.ends import Ends
+from ..origami.hinges.feet import Plane
 from ..origami.hinges.joints import Joint
 from ..origami.hinges.parts import part_drawn
 from ..origami.hinges.pillars import boundary_of
@@ -201,7 +202,11 @@ def _ends(design: "Design") -> Ends:
     )
     ends = Ends.start, Ends.end, Ends.thickness
     keys = "start_part", "end_part", "plate_thickness"
-    return Ends(joint, *(table.get(key, usual) for key, usual in zip(keys, ends, strict=True)))
+    usual = Plane()
+    ground = Plane(tuple(table.get("foot_point", usual.point)),
+                   tuple(table.get("foot_normal", usual.normal)))  # fmt: skip
+    start, end, thickness = (table.get(key, value) for key, value in zip(keys, ends, strict=True))
+    return Ends(joint, start, end, thickness, ground)
 
 
 def _drawn(design: "Design", wanted: TubeDesign, parameters: "HingeParameters") -> "list[Drawn]":
@@ -217,8 +222,9 @@ def _drawn(design: "Design", wanted: TubeDesign, parameters: "HingeParameters") 
             f"{design.path}: [hinges] first_unit and last_unit do not name units of a tube of "
             f"{count}; set last_unit to at most {count}."
         )
-    given = whole.thick, parameters, first, last, left
-    return part_drawn(*given, ends=_ends(design), closed=whole.is_closed).bodies
+    given, ends = (whole.thick, parameters, first, last, left), _ends(design)
+    deployed = whole.part(first, last).motions(1.0) if ends.has_feet else None
+    return part_drawn(*given, ends=ends, closed=whole.is_closed, deployed=deployed).bodies
 
 
 def _pillars(drawn: "list[Drawn]", parameters: "HingeParameters") -> list[Body]:

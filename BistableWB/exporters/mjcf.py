@@ -86,7 +86,7 @@ class Mechanism(NamedTuple):
 def mechanism_of(obj: "App.DocumentObject") -> Mechanism:
     """`Mechanism` of a HingeSet object, without preload; a `Refusal` for hinges that bend."""
     model = obj.Proxy.model(obj)
-    if any(not body.members for body in model.bodies):
+    if any(not body.members and body.seat is None for body in model.bodies):
         raise Refusal(
             "{label} has flexible hinges, and MJCF has hinges that turn",
             cure="set {HingeType} to Rotational",

@@ -35,6 +35,7 @@ from .hinge_inputs import (
     hinge_parameters,
 )
 from .later import LIVE, ON_DEMAND
+from .print_limits import check_bed_of
 from .self_drawn import BODY_RESULTS, SelfDrawn, body_results
 from .snap_results import (
     STRENGTH_PROPERTIES,
@@ -45,7 +46,7 @@ from .snap_results import (
     task,
     write,
 )
-from .thick_model import Order, check_bed_of
+from .thick_model import Order
 
 AUTOMATIC, GIVEN = "Automatic", "Given"
 _KEPT = 2  # models: this one, and the one before for undo
@@ -234,7 +235,7 @@ class HingeSet(SelfDrawn):
         """[(name, shape, kind), …] at an opening; flexures, which bend, are there at 0 only."""
         model = self.model(obj)
         shapes = model.shapes(opening, obj.Orientation)
-        shown = [body for body in model.bodies if opening == 0 or body.members]
+        shown = [body for body in model.bodies if opening == 0 or body.members or body.seat]
         return [(body.name, shape, body.kind) for body, shape in zip(shown, shapes, strict=True)]
 
     def model(self, obj):

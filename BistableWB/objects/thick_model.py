@@ -13,8 +13,7 @@ import numpy as np
 import Part
 
 from ..origami.design import Placing, TubeDesign
-from ..origami.errors import ERROR, Refusal, gathered, phrase
-from ..origami.hinges.bed import Bed, check_bed, split
+from ..origami.errors import gathered, phrase
 from ..origami.hinges.edge_turn import best_turn, standing
 from ..origami.hinges.ends import Ends, stands_out
 from ..origami.hinges.meshing import mesh_of
@@ -32,6 +31,7 @@ from ..solids.matrices import array_of, placement_of
 from ..solids.shapes import adopt, shape_of
 from ..solids.support import support_body
 from ..solids.tube import bodies_of
+from .print_limits import check_bed_of, check_feet, size_of, units_of
 
 _OFF_CURVE = 0.01  # of ‖AB‖: further off is worth a warning
 _SOLVING = 0.3  # of the time that a model takes
@@ -78,15 +78,16 @@ class Order:
         """
         self.parameters.check()
         whole = self.design.thick(progress.part(0, _SOLVING))
-        first, last = _range(self.units, len(whole.tube))
+        first, last = units_of(self.units, len(whole.tube))
         part = whole.part(first, last)
         check_bed_of(part, self)
         notes, left = [], whole.tube.incoming_left
         is_tied = self.parameters.is_tied and self.room[1] == "OnEdge"
         rest = progress.part(_SOLVING, _MAKING if is_tied else 1)
         drawn, lift = part_drawn(
-            whole.thick, self.parameters, first, last, left, rest, self.ends, whole.is_closed, notes
-        )
+            whole.thick, self.parameters, first, last, left, rest, self.ends, whole.is_closed,
+            notes, part.motions(1.0) if self.ends.has_feet else None,
+        )  # fmt: skip
         part = replace(part, lift=lift)
         if len(saved) == len(drawn):
             for body, solid in zip(drawn, saved, strict=True):
@@ -94,6 +95,7 @@ class Order:
         bodies = bodies_of(drawn)
         warnings = _deviation_warnings(whole, self)
         model = Model(part, self.parameters, bodies, [*warnings, *gathered(notes)])
+        check_feet(bodies, self)
         model.more = stands_out(self.ends, self.parameters, whole.is_closed)
         if is_tied:
             model.tied(progress.part(_MAKING, 1))
@@ -131,8 +133,8 @@ class Model:
         self._warnings = warnings
         self.deviation = tube.deviation()
         self.deployed_misfit = without(tube.thick).misfit(1.0).max()
-        self.deployed_size = _size(bodies, self.motions(1))
-        self._size = _size(bodies, [np.eye(4)] * len(bodies))
+        self.deployed_size = size_of(bodies, self.motions(1))
+        self._size = size_of(bodies, [np.eye(4)] * len(bodies))
         self._compound = None
         self.findings = {}  # of checks: what they depend on besides -> {code: list}
 
@@ -235,7 +237,7 @@ class Model:
         """Length, width and height (mm) of the flat print in its orientation."""
         if orientation != "Flat" and self.edge_turn:
             stand = array_of(self.standing(orientation))
-            return _size(self.bodies, [stand] * len(self.bodies))
+            return size_of(self.bodies, [stand] * len(self.bodies))
         x, y, z = self._size
         return (x, y, z) if orientation == "Flat" else (z, y, x)
 
@@ -261,8 +263,7 @@ class Model:
         return [self._of_bodies(each) for each in ends]
 
     def _of_bodies(self, found):
-        members = [body.members[0] if body.members else None for body in self.bodies]
-        return [m and found[m[0], BODIES.index(m[1])] for m in members]
+        return [_motion_of(body, found) for body in self.bodies]
 
     def shapes(self, opening, orientation="Flat"):
         """Shapes of the bodies at an opening; at 0 all of them, in the orientation of the print."""
@@ -310,53 +311,21 @@ class Model:
         return _moved(found, App.Placement(App.Vector(0, 0, tube.lift), App.Rotation()))
 
 
+def _motion_of(body, found):
+    """Of one body, from ``found`` (units, 15, 4, 4); None for what bends."""
+    if body.seat is not None:
+        unit, name, onto = body.seat
+        return found[unit, BODIES.index(name)] @ onto
+    if not body.members:
+        return None
+    unit, name = body.members[0]
+    return found[unit, BODIES.index(name)]
+
+
 def _moved(shape, placement):
     moved = Part.Shape(shape)
     moved.Placement = placement * moved.Placement
     return moved
-
-
-def _range(units, count):
-    """First and last unit, counted from 0, of the properties FirstUnit and LastUnit."""
-    first, last = units[0] - 1, (units[1] or count) - 1
-    if not 0 <= first <= last < count:
-        raise Refusal(
-            "{FirstUnit} {first} and {LastUnit} {last} do not name units of a tube of {count}: "
-            "set {FirstUnit} to 1 or more and {LastUnit} to at most {count} (0: the last).",
-            parameter="FirstUnit",
-            first=units[0],
-            last=units[1],
-            count=count,
-        )
-    return first, last
-
-
-def check_bed_of(tube, order):
-    """Refuse, by the bed of an `Order`, a print that does not fit it, with the parts that would."""
-    size, orientation = order.room
-    if not any(size):
-        return
-    first = order.units[0] - 1
-    given = (
-        tube.thick,
-        order.parameters,
-        Bed(*size),
-        tube.tube.incoming_left,
-        orientation == "OnEdge",
-        stands_out(order.ends, order.parameters, tube.is_closed),
-    )
-    finding = check_bed(*given)[0]
-    if finding.severity == ERROR:
-        parts = ", ".join(f"{a + first + 1}–{b + first + 1}" for a, b in split(*given))
-        cure = finding.cure
-        if parts:
-            cure = phrase("set {FirstUnit} and {LastUnit} to print the parts {parts}", parts=parts)
-        raise Refusal(
-            "{Bed}: {finding} Cure: {help}.",
-            parameter="Bed",
-            finding=finding.message,
-            help=cure,
-        )
 
 
 def _deviation_warnings(tube, order):
@@ -377,13 +346,3 @@ def _deviation_warnings(tube, order):
             cure=cure,
         )
     ]
-
-
-def _size(bodies, motions):
-    """Length, width and height (mm) of bodies moved by matrices (4, 4); those of None count not."""
-    boxes = np.array([
-        body.boundary.bounds(motion @ body.place)
-        for body, motion in zip(bodies, motions, strict=True)
-        if motion is not None
-    ])  # fmt: skip
-    return tuple((boxes[:, 1].max(0) - boxes[:, 0].min(0)).tolist())

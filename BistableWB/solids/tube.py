@@ -40,7 +40,8 @@ class Body(NamedTuple):
 
     ``unit`` is the index of the first of them; a block has two members, the flexure of a hinge none
     (it bends: no single pose holds for it), all others one. ``kind``: a key of `colours.KINDS`.
-    ``boundary``: what ``shape`` was made from, and ``place`` (4, 4) where it stands.
+    ``boundary``: what ``shape`` was made from, and ``place`` (4, 4) where it stands; ``seat`` as of
+    `bodies.Drawn`.
     """
 
     name: str
@@ -50,6 +51,7 @@ class Body(NamedTuple):
     kind: str
     boundary: Boundary | None = None
     place: Any = None
+    seat: tuple | None = None
 
     @property
     def material(self) -> str:
@@ -83,7 +85,7 @@ def bodies_of(drawn: list[Drawn]) -> list[Body]:
     return [
         Body(
             body.name, shape_of(body.boundary, body.place), body.unit, body.members, body.kind,
-            body.boundary, body.place,
+            body.boundary, body.place, body.seat,
         )
         for body in drawn
     ]  # fmt: skip

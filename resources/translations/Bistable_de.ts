@@ -752,6 +752,10 @@
    <translation>0 ist der flach gefaltete Druck auf dem Bett, 1 ist entlang der Kurve entfaltet</translation>
   </message>
   <message>
+   <source>A point of the plane on which feet stand when the tube is deployed</source>
+   <translation>Ein Punkt der Ebene, auf der Füße stehen, wenn die Röhre entfaltet ist</translation>
+  </message>
+  <message>
    <source>Adaptive</source>
    <translation>Angepasst</translation>
   </message>
@@ -1028,6 +1032,10 @@
    <translation>Richtung</translation>
   </message>
   <message>
+   <source>Direction from the plane of the feet to the tube: feet stand square on it</source>
+   <translation>Richtung von der Ebene der Füße zur Röhre: Füße stehen rechtwinklig auf ihr</translation>
+  </message>
+  <message>
    <source>Direction of all legs of the strips, or the point that they all pass (setting it turns Automatic off)</source>
    <translation>Richtung aller Schenkel der Streifen oder der Punkt, durch den sie alle gehen (wer sie setzt, schaltet Automatisch aus)</translation>
   </message>
@@ -1162,6 +1170,14 @@
   <message>
    <source>Flip side</source>
    <translation>Seite wechseln</translation>
+  </message>
+  <message>
+   <source>Foot normal</source>
+   <translation>Fußnormale</translation>
+  </message>
+  <message>
+   <source>Foot point</source>
+   <translation>Fußpunkt</translation>
   </message>
   <message>
    <source>For curves of kind General with a direction as Ruling: keep the segments from tilting along the way (long helices)</source>
@@ -1980,8 +1996,8 @@
    <translation>Wofür die Kurve genommen wird: Plane, Sphere oder General</translation>
   </message>
   <message>
-   <source>What the first end of an open tube has. Plate: closed all over. Flange: a wider plate with four screw holes</source>
-   <translation>Was das erste Ende eines offenen Schlauchs hat. Platte: ganz geschlossen. Flansch: eine breitere Platte mit vier Schraubenlöchern</translation>
+   <source>What the first end of an open tube has. Plate: closed all over. Flange: a wider plate with four screw holes. Foot: a flange and a foot for it, printed beside, that stands square on the plane of FootPoint and FootNormal</source>
+   <translation>Was das erste Ende einer offenen Röhre hat. Plate: ganz geschlossen. Flange: eine breitere Platte mit vier Schraubenlöchern. Foot: ein Flansch und ein Fuß dazu, der daneben gedruckt wird und rechtwinklig auf der Ebene von FootPoint und FootNormal steht</translation>
   </message>
   <message>
    <source>What the last end of an open tube has, as StartPart</source>
@@ -2711,6 +2727,14 @@
    <translation>In den Ordner {folder} kann nicht geschrieben werden: einen anderen wählen.</translation>
   </message>
   <message>
+   <source>The foot's plane is too near to the {end} of the tube, or cuts it: move {FootPoint} by {missing:.3g} mm against {FootNormal}, or more.</source>
+   <translation>Die Ebene des Fußes ist dem {end} der Röhre zu nahe oder schneidet es: verschiebe {FootPoint} um {missing:.3g} mm oder mehr gegen {FootNormal}.</translation>
+  </message>
+  <message>
+   <source>The foot's plane misses the {end} of the tube: that looks {angle:.0f}° away from it, 60° at most; set {FootNormal} to about ({x:.2f}, {y:.2f}, {z:.2f}).</source>
+   <translation>Die Ebene des Fußes verfehlt das {end} der Röhre: es schaut {angle:.0f}° an ihr vorbei, höchstens 60° gehen; setze {FootNormal} auf etwa ({x:.2f}, {y:.2f}, {z:.2f}).</translation>
+  </message>
+  <message>
    <source>The hardest worked place, {where}, bears {stress:.0f} MPa of {material}, {share:.0%} of its strength.</source>
    <translation>Die am stärksten beanspruchte Stelle, {where}, trägt {stress:.0f} MPa aus {material}, {share:.0%} der Festigkeit.</translation>
   </message>
@@ -2921,6 +2945,10 @@
   <message>
    <source>Will it snap, will it stand?</source>
    <translation>Schnappt er, steht er?</translation>
+  </message>
+  <message>
+   <source>With its feet beside the stack the print takes {x:.0f} × {y:.0f} mm, and the bed has {length:.4g} × {width:.4g} mm: choose Flange instead of Foot, or a smaller {EdgeLength}.</source>
+   <translation>Mit den Füßen neben dem Stapel braucht der Druck {x:.0f} × {y:.0f} mm, und das Druckbett hat {length:.4g} × {width:.4g} mm: wähle Flange statt Foot oder eine kleinere {EdgeLength}.</translation>
   </message>
   <message>
    <source>a checksum is wrong</source>
@@ -3217,6 +3245,10 @@
   <message>
    <source>en</source>
    <translation>de</translation>
+  </message>
+  <message>
+   <source>end</source>
+   <translation>Endstück</translation>
   </message>
   <message>
    <source>entity</source>
@@ -4031,6 +4063,10 @@
    <translation>den Schlauch an Kontaktblöcken in {count} Drucke der Einheiten {prints} teilen</translation>
   </message>
   <message>
+   <source>start</source>
+   <translation>Anfangsstück</translation>
+  </message>
+  <message>
    <source>state is {state!r}: choose one of {names}.</source>
    <translation>state ist {state!r}: eines von {names} wählen.</translation>
   </message>
@@ -4353,6 +4389,10 @@
   <message>
    <source>{FixedAt} is {value}: the tube has no support</source>
    <translation>{FixedAt} ist {value}: der Schlauch hat keinen Halt</translation>
+  </message>
+  <message>
+   <source>{FootNormal} has no direction: set it to one that points from the plane to the tube.</source>
+   <translation>{FootNormal} hat keine Richtung: setze eine, die von der Ebene zur Röhre zeigt.</translation>
   </message>
   <message>
    <source>{Gamma} is {value:.6g}°: the first segment must lean forward; set {Gamma} above 0° and below 90° (10° to 30° is usual).</source>

@@ -38,7 +38,8 @@ BLOCK_INSET = 0.1
 class Drawn(NamedTuple):
     """One body of a print: ``boundary``, shared by its copies, and ``place`` (4, 4) of this one.
 
-    ``unit``, ``members`` and ``kind`` as in `solids.tube.Body`.
+    ``unit``, ``members`` and ``kind`` as in `solids.tube.Body`; ``seat``: of what is printed beside
+    the stack, (unit, panel, motion (4, 4) from there to its seat on the flat panel).
     """
 
     name: str
@@ -47,6 +48,7 @@ class Drawn(NamedTuple):
     unit: int
     members: tuple
     kind: str
+    seat: tuple | None = None
 
 
 def tube_drawn(

@@ -16,6 +16,7 @@ from ..errors import Refusal
 from . import polygons
 from .bodies import draw_panel, outer_side
 from .drafting import Draft
+from .feet import Plane
 from .flexures import strips
 from .joints import Joint, clearance_hole, half_thickness
 from .outward import Outward
@@ -27,21 +28,31 @@ if TYPE_CHECKING:
     from .parameters import HingeParameters
     from .unit_layout import Layout, Plate
 
-PLAIN, PLATE, FLANGE = "Plain", "Plate", "Flange"
+PLAIN, PLATE, FLANGE, FOOT = "Plain", "Plate", "Flange", "Foot"
 
 
 class EndKind(NamedTuple):
-    """``what`` it is; ``is_wider``: whether its plate stands out, with screw holes."""
+    """``what`` it is, and what belongs to it.
+
+    ``is_wider``: whether its plate stands out, with screw holes; ``stands``: whether it has a foot.
+    """
 
     what: str
     has_plate: bool = True
     is_wider: bool = False
+    stands: bool = False
 
 
 END_PARTS = {
     PLAIN: EndKind("the contact panel as it is", has_plate=False),
     PLATE: EndKind("a plate over the whole end, over the slots of its hinges too"),
     FLANGE: EndKind("a plate that stands out all round, with four screw holes", is_wider=True),
+    FOOT: EndKind(
+        "a flange, and a foot for it that stands square on the plane of `FootPoint` and "
+        "`FootNormal` when the tube is deployed",
+        is_wider=True,
+        stands=True,
+    ),
 }
 
 
@@ -49,13 +60,15 @@ END_PARTS = {
 class Ends:
     """How a print ends: the ``joint`` where tubes are cut or close, and end parts of open ones.
 
-    ``start``, ``end``: of `END_PARTS`; ``thickness`` of their plates (mm; 0: twice the panels').
+    ``start``, ``end``: of `END_PARTS`; ``thickness`` of their plates (mm; 0: twice the panels');
+    ``ground``: the plane on which feet stand.
     """
 
     joint: Joint = field(default_factory=Joint)
     start: str = PLAIN
     end: str = PLAIN
     thickness: float = 0.0
+    ground: Plane = field(default_factory=Plane)
 
     def __post_init__(self) -> None:
         for parameter, value in (("StartPart", self.start), ("EndPart", self.end)):
@@ -70,6 +83,11 @@ class Ends:
                 "panels'.",
                 parameter="PlateThickness", value=self.thickness,
             )  # fmt: skip
+
+    @property
+    def has_feet(self) -> bool:
+        """Whether an open tube stands on a foot."""
+        return any(END_PARTS[kind].stands for kind in (self.start, self.end))
 
     def plate_thickness(self, parameters: "HingeParameters") -> float:
         """Thickness (mm) of plates and flanges."""
