@@ -35,7 +35,7 @@ from .hinge_inputs import (
     hinge_parameters,
 )
 from .later import LIVE, ON_DEMAND
-from .print_limits import check_bed_of
+from .print_limits import check_bed_of, check_feet
 from .self_drawn import BODY_RESULTS, SelfDrawn, body_results
 from .snap_results import (
     STRENGTH_PROPERTIES,
@@ -251,6 +251,7 @@ class HingeSet(SelfDrawn):
             self.take(order, made)
             model = self._known(order)
         check_bed_of(model.tube, order)
+        check_feet(model.bodies, order)
         return model
 
     @staticmethod

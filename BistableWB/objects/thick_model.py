@@ -31,7 +31,7 @@ from ..solids.matrices import array_of, placement_of
 from ..solids.shapes import adopt, shape_of
 from ..solids.support import support_body
 from ..solids.tube import bodies_of
-from .print_limits import check_bed_of, check_feet, size_of, units_of
+from .print_limits import check_bed_of, size_of, units_of
 
 _OFF_CURVE = 0.01  # of ‖AB‖: further off is worth a warning
 _SOLVING = 0.3  # of the time that a model takes
@@ -95,7 +95,6 @@ class Order:
         bodies = bodies_of(drawn)
         warnings = _deviation_warnings(whole, self)
         model = Model(part, self.parameters, bodies, [*warnings, *gathered(notes)])
-        check_feet(bodies, self)
         model.more = stands_out(self.ends, self.parameters, whole.is_closed)
         if is_tied:
             model.tied(progress.part(_MAKING, 1))
