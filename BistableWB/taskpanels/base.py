@@ -16,6 +16,7 @@ from ..objects.base import Hidden, Result
 from ..objects.refused import refusal_of, warnings_of
 from ..origami.progress import Cancelled
 from .fields import KINDS, error_colour, wrapped
+from .folding import BASICS, Fold, form_in
 from .macro import inputs_of, record_changes
 
 _WAIT = 80  # ms after the last change before the preview follows
@@ -90,11 +91,16 @@ class ObjectPanel:
 
     def _build(self):
         column = QtGui.QVBoxLayout(self.form)
+        column.setSpacing(2)
         self.message = QtGui.QLabel()
         self.message.setObjectName("Message")
         self.message.setWordWrap(True)
         self.message.hide()
-        self.fields, self.results, self.boxes = {}, {}, {}
+        self.fields, self.results, self.folds, self._fold_of = {}, {}, {}, {}
+        self._type = self.obj.Proxy.Type
+        basics = QtGui.QWidget()
+        self._basic = form_in(basics)
+        column.addWidget(basics)
         for prop in self.obj.Proxy.PROPERTIES:
             if isinstance(prop, Hidden):
                 continue
@@ -113,21 +119,20 @@ class ObjectPanel:
 
     def add_row(self, column, group, field):
         """Put a field into the box of its group."""
-        form = self._box(column, group)
+        form = self.form_of(column, group, field.name)
         self.fields[field.name] = field
         form.addRow(field.label, field.widget)
         form.addRow(field.error)
 
-    def _box(self, column, group):
-        if group not in self.boxes:
-            box = QtGui.QGroupBox(translated(group))
-            form = QtGui.QFormLayout(box)
-            form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
-            form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
-            form.setVerticalSpacing(3)  # hidden rows and empty explanations keep their spacing
-            column.addWidget(box)
-            self.boxes[group] = form
-        return self.boxes[group]
+    def form_of(self, column, group, name):
+        """The form that a property stands in: the basic one, or that of its group."""
+        if name in BASICS.get(self._type, ()):
+            return self._basic
+        if group not in self.folds:
+            self.folds[group] = Fold(self._type, group, translated(group))
+            column.addWidget(self.folds[group])
+        self._fold_of[name] = self.folds[group]
+        return self.folds[group].form
 
     def _add_result(self, column, prop):
         text = QtGui.QLabel()
@@ -141,7 +146,11 @@ class ObjectPanel:
             return  # lists of all bodies
         if prop.name == "SnapMargins" and not self.obj.SnapMargins:
             return
-        form = self._box(column, prop.group)
+        if prop.name == "Warnings":  # never folded away
+            column.addWidget(text)
+            self.results[prop.name] = text
+            return
+        form = self.form_of(column, prop.group, prop.name)
         if prop.kind == "StringList":
             form.addRow(label)
             form.addRow(text)
@@ -154,6 +163,11 @@ class ObjectPanel:
             for part in (field.label, field.widget):
                 if part.parent():  # else it would become a window
                     part.setVisible(not field.is_hidden())
+        for fold in self.folds.values():
+            inside = [name for name, its in self._fold_of.items() if its is fold]
+            fold.setVisible(
+                any(n in self.results or not self.fields[n].is_hidden() for n in inside)
+            )
 
     # following changes
 
@@ -214,6 +228,8 @@ class ObjectPanel:
             elif isinstance(value, str):  # one of our words, such as the kind that was found
                 value = translated(value)
             label.setText(value_text(value))
+            if name == "Warnings":
+                label.setVisible(bool(value))
         self.say("")
         for field in self.fields.values():
             field.explain("", "")
@@ -227,6 +243,8 @@ class ObjectPanel:
         reason, field = in_words(refusal), self.fields.get(refusal.parameter)
         if other is self.obj and field and not field.is_hidden():
             field.explain(reason, colour)
+            if refusal.parameter in self._fold_of:
+                self._fold_of[refusal.parameter].unfold()
         else:
             self.say(reason if other is self.obj else f"{other.Label}: {reason}", colour)
 

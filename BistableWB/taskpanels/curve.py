@@ -21,7 +21,7 @@ class CurvePanel(ObjectPanel):
         """The table, and the points in the view."""
         prop = next(p for p in self.obj.Proxy.PROPERTIES if p.name == "Points")
         field = Points(self.obj, prop, self.changed)
-        form = self.boxes[prop.group]
+        form = self.form_of(column, prop.group, prop.name)
         self.fields[field.name] = field
         form.insertRow(0, field.widget)
         form.insertRow(1, field.error)
@@ -32,7 +32,7 @@ class CurvePanel(ObjectPanel):
             field.add.toggled.connect(self._set_adding)
         if len(self.obj.Points) < _ENOUGH:
             field.add.setChecked(True)
-        self._follow_kind()
+        self._follow_hidden()
 
     def changed(self, field):
         """Keep table and view together."""
@@ -40,7 +40,6 @@ class CurvePanel(ObjectPanel):
             self.handles.set_points(self.obj.Points)
         elif self.handles:
             self.handles.show()
-        self._follow_kind()
         super().changed(field)
 
     def close(self):
@@ -60,13 +59,15 @@ class CurvePanel(ObjectPanel):
         if self.obj.Source is None and len(self.obj.Points) < _ENOUGH:
             self.say(translate("BistablePanel", "Click points into the 3D view: the tube follows."))
 
-    def _follow_kind(self):
+    def _follow_hidden(self):
         """Show only what counts for this kind of curve."""
+        super()._follow_hidden()
+        if "Points" not in self.fields:  # still being built
+            return
         if self.obj.Source is not None:
             self.fields["Points"].add.setChecked(False)
-        for kind in set(FAMILIES) & set(self.boxes):
-            shown = counts(kind, self.obj.Kind, self.obj.FoundKind)
-            self.boxes[kind].parentWidget().setVisible(shown)
+        for kind in set(FAMILIES) & set(self.folds):
+            self.folds[kind].setVisible(counts(kind, self.obj.Kind, self.obj.FoundKind))
 
     def _set_adding(self, adding):
         self.handles.adding = adding

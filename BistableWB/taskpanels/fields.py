@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from ..language.labels import label_of, translate, translated
 from ..objects import type_of
+from .counting import counts
 
 # Property of kind Link -> type of object that it may link to.
 LINKED = {
@@ -17,6 +18,7 @@ LINKED = {
     "Unit": "Bistable::BistableUnit",
 }
 _SLIDER_STEPS = 1000
+_NARROWEST = 100  # pixels: a number with its unit, the mark for formulas and the arrows
 _PAUSE = 500  # ms without a key after which a number that is being typed is whole
 
 
@@ -64,8 +66,10 @@ class Field:
         return any(path.lstrip(".") == self.name for path, _ in self.obj.ExpressionEngine)
 
     def is_hidden(self):
-        """Whether the object hides the property: it does not count at the moment."""
-        return "Hidden" in self.obj.getEditorMode(self.name)
+        """Whether the property does not count at the moment."""
+        if "Hidden" in self.obj.getEditorMode(self.name):
+            return True
+        return not counts(self.obj, self.name)
 
     def explain(self, text, colour):
         """Show what is wrong with the input, or nothing."""
@@ -112,6 +116,7 @@ class Quantity(Typed):
     def build(self):
         self.widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.widget.setProperty("unit", self.UNITS[self.prop.kind])
+        self.widget.setMinimumWidth(_NARROWEST)  # beside its name, in a dock as wide as usual
         bind(self.widget, self.obj, self.name)
         # not valueChanged: PySide knows this class as a QAbstractSpinBox only
         self.watch_typing(self.widget)  # first: it tells whether a change of text was typed
@@ -187,7 +192,7 @@ class Choice(Field):
     """Enumeration: a list of its values."""
 
     def build(self):
-        self.widget = QtGui.QComboBox()
+        self.widget = _list()
         for text in self.obj.getEnumerationsOfProperty(self.name):
             self.widget.addItem(translated(text), text)
         self.widget.currentIndexChanged.connect(self.edited)
@@ -243,7 +248,7 @@ class Link(Field):
     """Another object of the document, of the type that fits."""
 
     def build(self):
-        self.widget = QtGui.QComboBox()
+        self.widget = _list()
         self.widget.addItem(translate("BistablePanel", "(none)"), "")
         for other in self.obj.Document.Objects:
             if type_of(other) == LINKED.get(self.name) and other not in self.obj.InListRecursive:
@@ -315,6 +320,15 @@ KINDS = {
     "Link": Link,
     "LinkSub": Source,
 }
+
+
+def _list():
+    """A list that is no wider than its row: its texts may be cut, and are whole when it opens."""
+    box = QtGui.QComboBox()
+    box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    box.setMinimumContentsLength(4)
+    box.setMinimumWidth(_NARROWEST)
+    return box
 
 
 def bind(widget, obj, name):

@@ -126,6 +126,56 @@ def test_inputs_that_do_not_count_are_not_shown(gui, tube):
     press(CANCEL, gui)
 
 
+def test_fields_follow_the_rule_that_they_belong_to(gui, tube):
+    form = open_panel(tube.BistableUnit, gui)
+    rules = form.findChild(QtGui.QComboBox, "RatioRule")
+    fields = {"Adaptive": "RatioShare", "Fixed": "Ratio", "TargetSnap": "TargetMargin"}
+    for rule, name in fields.items():
+        rules.setCurrentIndex(rules.findData(rule))
+        shown = [one for one in fields.values() if form.findChild(QtGui.QWidget, one).isVisible()]
+        assert shown == [name]
+    press(CANCEL, gui)
+
+
+def folds(form):
+    """The groups of a panel that can be folded."""
+    return {
+        group.findChild(QtGui.QToolButton).text(): group
+        for group in form.findChildren(QtGui.QWidget)
+        if group.objectName().endswith("_group") and group.isVisible()
+    }
+
+
+def test_a_panel_has_its_basic_values_on_one_screen_and_the_rest_folded(gui, tube, screenshot):
+    hinges = make.make_hinge_set(tube, make.make_bistable_unit(tube, theta=45, edge_length=60))
+    tube.recompute()
+    for obj in (tube.TrianglePlacement, tube.BistableUnit, hinges):
+        form = open_panel(obj, gui)
+        assert form.height() <= 500, obj.Name  # of 720 the window's bars take the rest
+        assert folds(form).keys() >= {"Results"}
+        press(CANCEL, gui)
+    form = open_panel(hinges, gui)
+    inside = form.findChild(QtGui.QWidget, "SegmentWidth")
+    assert form.findChild(QtGui.QWidget, "FaceThickness").isVisible()
+    assert not inside.isVisible()
+    screenshot("panel-folded")
+    folds(form)["Hinge"].findChild(QtGui.QToolButton).click()
+    assert inside.isVisible()
+    press(CANCEL, gui)
+    form = open_panel(hinges, gui)  # it stays as the user left it
+    assert form.findChild(QtGui.QWidget, "SegmentWidth").isVisible()
+    folds(form)["Hinge"].findChild(QtGui.QToolButton).click()
+    press(CANCEL, gui)
+
+
+def test_a_refused_input_unfolds_its_group(gui, unit):
+    form = open_panel(unit, gui)
+    assert not form.findChild(QtGui.QWidget, "Omega").isVisible()
+    type_into(form, "Omega", "0 deg", gui)
+    assert "Omega" in error_of(form, "Omega") or "ω" in error_of(form, "Omega")
+    press(CANCEL, gui)
+
+
 def test_points_of_a_curve_are_typed(gui, tube, screenshot):
     form = open_panel(tube.Curve, gui)
     table = form.findChild(QtGui.QTableWidget, "PointsTable")
