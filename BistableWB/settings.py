@@ -9,6 +9,8 @@ import FreeCAD as App
 
 from . import colours
 from .origami.hinges.parameters import SEGMENT_WIDTH, HingeParameters
+from .origami.hinges.printers import CUSTOM, PRINTERS
+from .origami.hinges.processes import PROCESSES, STANDOFFS
 
 PATH = "User parameter:BaseApp/Preferences/Mod/Bistable"
 _HINGE = HingeParameters()
@@ -25,6 +27,7 @@ NUMBERS = {
     "GapBetweenPlanes": _HINGE.gap_between_planes,
 }
 PIVOTS = ("Cone", "Pin")
+_GIVEN = ("gap_length", "gap_between_planes", "face_thickness", "layer_height", "nozzle_diameter")
 _HINGE_NUMBERS = tuple(NUMBERS)[3:]
 CLEARANCE, AIR_LAYERS = "TightestThatTurns", "AirLayers"  # of a calibration plate; 0: not tried
 NO_AIR = -1  # of the pairs of plates none came apart
@@ -46,6 +49,58 @@ def pivot():
     return chosen if chosen in PIVOTS else PIVOTS[0]
 
 
+def printer():
+    """Name of the printer that was chosen, `CUSTOM` where its numbers are the user's own."""
+    chosen = group().GetString("Printer", "")
+    return chosen if chosen in PRINTERS else CUSTOM
+
+
+def printer_was_asked():
+    """Whether the first start has asked for the printer."""
+    return group().GetBool("PrinterAsked", False)
+
+
+def keep_printer_asked():
+    """Do not ask again."""
+    group().SetBool("PrinterAsked", True)
+
+
+def process():
+    """Process of new hinges, a name of `PROCESSES`."""
+    chosen = group().GetString("Process", STANDOFFS)
+    return chosen if chosen in PROCESSES else STANDOFFS
+
+
+def numbers_of(name):
+    """{preference: mm} that a printer of `PRINTERS` has, with the hinges of its process."""
+    profile = PRINTERS[name]
+    found = dict(NUMBERS)
+    found |= given_by(profile.process)
+    found |= dict(zip(("BedWidth", "BedDepth", "BedHeight"), map(float, profile.bed), strict=True))
+    found["LayerHeight"] = profile.layer
+    if profile.nozzle:
+        found["NozzleDiameter"] = profile.nozzle
+    return found
+
+
+def given_by(name):
+    """{preference: mm} of the hinge that a process gives."""
+    words = ((key, "".join(part.capitalize() for part in key.split("_"))) for key in _GIVEN)
+    return {word: PROCESSES[name].gives[key] for key, word in words}
+
+
+def use_printer(name):
+    """Take a printer of `PRINTERS` for all that is made from now on; `CUSTOM` keeps the numbers."""
+    group().SetString("Printer", name)
+    if name == CUSTOM:
+        return
+    for key, value in numbers_of(name).items():
+        group().SetFloat(key, value)
+    group().SetString("Process", PRINTERS[name].process)
+    group().RemFloat(CLEARANCE)  # what another printer's calibration plate told
+    group().RemInt(AIR_LAYERS)
+
+
 def bed():
     """Room of the printer (x, y, z), mm."""
     return tuple(number(f"Bed{side}") for side in ("Width", "Depth", "Height"))
@@ -61,6 +116,7 @@ def hinge():
         gap_length=number("GapLength"),
         gap_between_planes=number("GapBetweenPlanes"),
         segment_width=SEGMENT_WIDTH,
+        **({} if process() == STANDOFFS else {"process": process()}),
     )
 
 
@@ -96,12 +152,15 @@ def air_layers():
 
 def hinge_lines(variable, without=()):
     """Lines of a macro that give the hinge in ``variable`` what differs from its defaults."""
-    lines = []
+    usual, lines = NUMBERS, []
+    if process() != STANDOFFS:
+        usual = {**NUMBERS, **given_by(process())}
+        lines.append(f'{variable}.Process = "{process()}"')
     for name in _HINGE_NUMBERS:
         if name in without:
             continue
         value = round(number(name), 6)
-        if abs(value - NUMBERS[name]) > 1e-9:
+        if abs(value - usual[name]) > 1e-9:
             lines.append(f"{variable}.{name} = {value!r}")
     if pivot() != PIVOTS[0]:
         lines.append(f'{variable}.Pivot = "{pivot()}"')

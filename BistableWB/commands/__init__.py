@@ -77,6 +77,9 @@ def initialise(workbench):
         workbench.appendToolbar(title, names)
     for title, names in MENUS.items():
         workbench.appendMenu(title, names)
+    from ..taskpanels.first_start import ask_later
+
+    ask_later()
 
 
 def _add_preferences():

@@ -424,6 +424,29 @@
   </message>
  </context>
  <context>
+  <name>BistableFirstStart</name>
+  <message>
+   <source>Another one</source>
+   <translation>Ein anderer</translation>
+  </message>
+  <message>
+   <source>New tubes are made for this printer: its bed, nozzle and layers. You can change it under Edit → Preferences → Bistable.</source>
+   <translation>Neue Röhren werden für diesen Drucker gemacht: sein Bett, seine Düse und seine Schichten. Ändern lässt es sich unter Bearbeiten → Einstellungen → Bistable.</translation>
+  </message>
+  <message>
+   <source>Not now</source>
+   <translation>Jetzt nicht</translation>
+  </message>
+  <message>
+   <source>Use it</source>
+   <translation>Verwenden</translation>
+  </message>
+  <message>
+   <source>Your printer</source>
+   <translation>Ihr Drucker</translation>
+  </message>
+ </context>
+ <context>
   <name>BistableImport</name>
   <message>
    <source>All lengths are multiplied by this</source>
@@ -672,6 +695,10 @@
   <message>
    <source>Colours of new objects</source>
    <translation>Farben neuer Objekte</translation>
+  </message>
+  <message>
+   <source>Custom</source>
+   <translation>Eigene Werte</translation>
   </message>
   <message>
    <source>Default colours</source>

@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 import pytest
 from PySide import QtCore, QtGui
 
-from BistableWB import make
+from BistableWB import make, settings
 from tests.translations import load
 
 SCREENSHOTS = Path(__file__).resolve().parents[2] / "build" / "screenshots"
@@ -33,6 +33,7 @@ def workbench():
     """The workbench, activated in a window that fills the screen, with tree and properties."""
     window = Gui.getMainWindow()
     window.showFullScreen()
+    settings.keep_printer_asked()  # else a question comes up while tests type
     Gui.activateWorkbench("BistableWorkbench")
     pump(0.5)
     return Gui.activeWorkbench()

@@ -7,7 +7,10 @@ import pytest
 from PySide import QtCore, QtGui
 
 from BistableWB import colours, make, settings
+from BistableWB.origami.hinges.printers import PRINTERS
+from BistableWB.origami.hinges.processes import PROCESSES
 from BistableWB.scene import faces
+from BistableWB.taskpanels import first_start
 
 
 @pytest.fixture
@@ -17,7 +20,8 @@ def page(gui):
     yield PreferencesPage()
     for name in [*settings.NUMBERS]:
         settings.group().RemFloat(name)
-    settings.group().RemString("Pivot")
+    for name in ("Pivot", "Printer", "Process"):
+        settings.group().RemString(name)
     for kind in colours.PANELS:
         settings.group().RemUnsigned(f"Colour_{kind}")
 
@@ -134,3 +138,51 @@ def test_cancelled_solids_leave_the_document_as_it_was(gui, escape, capfd):
     assert doc.UndoCount == 0
     assert all(obj.isValid() for obj in doc.Objects)
     assert "cancelled" in capfd.readouterr().out
+
+
+@pytest.mark.parametrize("name", PRINTERS)
+def test_a_printer_gives_bed_nozzle_layers_and_process(page, name):
+    page.printer.setCurrentIndex(page.printer.findData(name))
+    page.printer.activated.emit(page.printer.currentIndex())
+    page.saveSettings()
+    profile = PRINTERS[name]
+    assert settings.printer() == name
+    assert settings.bed() == profile.bed
+    assert settings.number("LayerHeight") == profile.layer
+    assert settings.process() == profile.process
+    doc = App.newDocument("Printed")
+    unit = make.make_bistable_unit(doc, theta=45, edge_length=60)
+    doc.recompute()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(unit)
+    Gui.runCommand("Bistable_HingeSet")
+    hinges = doc.Objects[-1]
+    assert hinges.isValid()
+    assert hinges.Process == profile.process
+    assert tuple(hinges.Bed) == profile.bed
+    assert hinges.LayerHeight.Value == profile.layer
+    assert hinges.GapLength.Value == PROCESSES[profile.process].gives["gap_length"]
+
+
+def test_a_number_of_ones_own_makes_it_a_custom_printer(page):
+    page.printer.setCurrentIndex(page.printer.findData("Prusa MK4"))
+    page.printer.activated.emit(page.printer.currentIndex())
+    page.numbers["BedWidth"].setValue(180)
+    page.saveSettings()
+    assert settings.printer() == "Custom"
+    assert settings.bed() == (180, 210, 220)
+
+
+def test_the_printer_is_asked_for_once(page):
+    settings.group().SetBool("PrinterAsked", False)
+    question = first_start.ask()
+    assert question.isVisible()
+    assert not question.isModal()
+    question.printer.setCurrentIndex(question.printer.findData("Creality Ender 3"))
+    question.take.click()
+    assert settings.bed() == (220, 220, 250)
+    assert first_start.ask() is None
+    settings.group().SetBool("PrinterAsked", False)
+    first_start.ask().reject()
+    assert settings.printer() == "Creality Ender 3"
+    assert settings.printer_was_asked()
