@@ -115,7 +115,7 @@ def draw(name, found, folder):
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     tube = found.design.tube()
-    figure = pyplot.figure(figsize=(9, 4.5))
+    figure = pyplot.figure(figsize=(9, 3.8))
     for column, opening in enumerate((0, 1), 1):
         points = tube.state(opening)
         axes = figure.add_subplot(1, 2, column, projection="3d")
@@ -131,12 +131,28 @@ def draw(name, found, folder):
         for axis, centre in zip("xyz", middle, strict=True):
             getattr(axes, f"set_{axis}lim")(centre - reach, centre + reach)
         axes.set_axis_off()
+        axes.set_box_aspect((1, 1, 1), zoom=1.6)
         axes.view_init(38, -65)
     figure.suptitle(f"{name}: flat and deployed", fontsize=10)
     figure.subplots_adjust(0, 0, 1, 0.95, 0, 0)
     folder.mkdir(parents=True, exist_ok=True)
     figure.savefig(folder / f"{name}.png", dpi=110)
     pyplot.close(figure)
+
+
+EIGHT = ("spiral", "wave", "heart_half", "helix_stair", "bracelet", "tree_branch", "bridge", "n30")
+
+
+def sheet(folder):
+    """Eight of the pictures on one: the one of docs/will-it-snap.md."""
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(4, 2, figsize=(9, 7.8))
+    for name, each in zip(EIGHT, axes.ravel(), strict=True):
+        each.imshow(pyplot.imread(folder / f"{name}.png"))
+        each.set_axis_off()
+    figure.subplots_adjust(0, 0, 1, 1, 0.02, 0.02)
+    figure.savefig(folder / "curves.png", dpi=100)
 
 
 def main():
@@ -159,6 +175,8 @@ def main():
         sys.stdout.flush()
         if given.pictures and answer.found is not None:
             draw(name, answer.found, given.pictures)
+    if given.pictures and all((given.pictures / f"{name}.png").is_file() for name in EIGHT):
+        sheet(given.pictures)
 
 
 if __name__ == "__main__":

@@ -67,7 +67,7 @@ def test_it_is_printed_on_its_sole_beside_the_stack(standing, tmp_path):
 def test_a_bed_without_room_for_the_foot_is_refused(standing):
     hinges = standing
     x, y = hinges.PrintSize.x, hinges.PrintSize.y
-    hinges.Bed = App.Vector(max(x, y) - 5, min(x, y) + 10, 200)
+    hinges.Bed = App.Vector(max(x, y) - 5, min(x, y) + 26, 200)
     hinges.Document.recompute()
     assert not hinges.isValid()
     assert "feet beside the stack" in str(hinges.Proxy.refusal)

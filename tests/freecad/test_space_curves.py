@@ -43,9 +43,11 @@ def middle_plane(block):
     return sum(heights) / 2, normal
 
 
-def test_a_space_curve_is_printed_firm_by_default(doc, chain):
+def test_a_space_curve_is_firm_by_default_and_its_solids_stand_on_it(doc, chain):
     """Flat nothing touches; deployed the *solids* stand on the curve, and nothing overlaps."""
     curve, triangles, unit, hinges = chain
+    assert (hinges.Process, hinges.PreloadRule) == ("FDM, stand-offs", "Automatic")
+    assert min(hinges.SnapMargins) >= 1.3
     # Nothing pressed: what a preload presses at rest would be an overlap here, and hide others.
     # Bare, as solids are looked at; stand-offs: tests/origami/test_standoffs.py.
     hinges.Process, hinges.Preload = "FDM, soluble", 0
