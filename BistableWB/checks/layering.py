@@ -28,7 +28,9 @@ SHARE_TOLERANCE = 0.05  # by which a body's layers may be off its volume
 CONTACT_LIMIT = 0.15  # mm² between two moving bodies that is not felt
 WELDED = 1.0  # mm² from which bodies do not break free any more
 _SUPPORT_CURE = {
-    "off": phrase("switch {Support} on, or let the slicer fill the gaps with soluble support"),
+    "off": phrase(
+        "switch {Support} on, or let the slicer fill the gaps with soluble support"
+    ).setting(Support=True),
     "on": phrase("let the slicer add support there too"),
     "none": phrase("let the slicer add support there"),
     "stand-offs": phrase(

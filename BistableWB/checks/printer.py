@@ -59,6 +59,8 @@ def tighter_than_known(parameters: "HingeParameters", printer: Printer) -> Any:
                 gap=parameters.gap_length,
                 known=known,
             ),
-            cure=phrase("make {GapLength} {known:.3g} mm or more", known=known),
+            cure=phrase("make {GapLength} {known:.3g} mm or more", known=known).setting(
+                GapLength=known
+            ),
         )
     ]

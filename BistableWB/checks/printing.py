@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 CLEARANCE_TOLERANCE = 0.02  # mm by which measured clearances may lie below the one asked for
 OVERLAP_TOLERANCE = 0.01  # mm of overlap in the deployed state that is taken for rounding
-_COMPENSATE = phrase("switch {Compensate} on, so that the hinges close")
+_COMPENSATE = phrase("switch {Compensate} on, so that the hinges close").setting(Compensate=True)
 _LESS_PRELOAD = phrase(
     "set {Preload} to less than was found ({Preloads}), or {SegmentWidth} to 5 mm, so that cones "
     "at the ends of the hinges hold them"

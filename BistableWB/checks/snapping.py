@@ -51,7 +51,7 @@ def check_snap(snap: "Snap | Any") -> list[Finding]:
         )
     else:
         trouble = phrase("without a second stable state")
-        cure = phrase("switch {Compensate} on")
+        cure = phrase("switch {Compensate} on").setting(Compensate=True)
     message = phrase(
         "{units}{of} {are} floppy, {trouble}, and nothing but friction holds the deployed state.",
         units=named(loose),

@@ -311,12 +311,14 @@ class Suite:
                     angle=angle,
                     steepest=steepest,
                 ),
-                cure=phrase("set {Orientation} to Flat: on edge, slanted hinges lean their cones")
+                cure=phrase(
+                    "set {Orientation} to Flat: on edge, slanted hinges lean their cones"
+                ).setting(Orientation="Flat")
                 if self.standing.on_edge
                 else phrase(
                     "make {ConeAngle} {steepest:g}° or less",
                     steepest=steepest,
-                ),
+                ).setting(ConeAngle=steepest),
                 points=where,
             )
         ]

@@ -88,7 +88,9 @@ def _left(lost: list, units: int, count: int, ties: int) -> list[Finding]:
                 body=worst[1],
                 height=worst[2][2],
             ),
-            cure=phrase("set {Process} to FDM, ties, or let the slicer add support there"),
+            cure=phrase("set {Process} to FDM, ties, or let the slicer add support there").setting(
+                Process="FDM, ties"
+            ),
             points=tuple(entry[2] for entry in sorted(lost, reverse=True)[:20]),
         )
     ]

@@ -28,7 +28,7 @@ def keyed(design: "Design", table: str | None, said: Any) -> Phrase:
 
     ``table``: what it is about, whose keys need no more than their name; None: no table.
     """
-    return _Keyed("{said}", {"said": said}, _key_of(design, table))
+    return _Keyed("{said}", {"said": said}, key=_key_of(design, table))
 
 
 def with_keys(design: "Design", table: str | None, said: Any) -> str:

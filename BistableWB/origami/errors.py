@@ -11,7 +11,7 @@ them (a label, a file's name) is never read as a template.
 import numbers
 import string
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -49,10 +49,18 @@ class Choice(str):
 
 @dataclass(frozen=True)
 class Phrase:
-    """A template and what fills it: pieces may be phrases, refusals, findings, choices."""
+    """A template and what fills it: pieces may be phrases, refusals, findings, choices.
+
+    ``sets``: of a cure, the (property, value) pairs that are all of it, for a button that does it.
+    """
 
     template: str
     pieces: Mapping[str, Any] = field(default_factory=dict, hash=False)
+    sets: tuple = field(default=(), compare=False)
+
+    def setting(self, **values: Any) -> "Phrase":
+        """The same cure, which is to give properties these values."""
+        return replace(self, sets=tuple(values.items()))
 
     def in_words(
         self, translate: Callable[[str], str] = _same, name: Callable[[str], str] = _same

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Points at places of a print in the 3D view: its bodies selected, rings drawn over everything."""
 
+import contextlib
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
@@ -20,10 +22,13 @@ class Pointer:
 
     def __init__(self, obj):
         self.obj = obj
-        self.scene = self.node = None
+        self.scene = self.node = self.plane = None
 
     def show(self, finding):
         """Select the bodies of a `Finding`, bring them into view and mark its points.
+
+        Most findings are inside the stack: what is nearer to the eye than the first point is cut
+        away, as the view is turned now.
 
         The points stand where they are on the print as the view shows it now, whichever state the
         check looked at.
@@ -40,14 +45,25 @@ class Pointer:
         if points:
             self.scene, self.node = view.getSceneGraph(), _rings(points)
             self.scene.addChild(self.node)
+            self._cut(points[0], view.getViewDirection())
         if elements:
             Gui.SendMsgToActiveView("ViewSelection")
 
     def clear(self):
-        """Take the marks away."""
+        """Take the marks away, and show again what was cut away."""
+        with contextlib.suppress(ReferenceError):  # deleted in the meantime
+            if self.plane is not None and self.obj.ViewObject is not None:
+                self.obj.ViewObject.RootNode.removeChild(self.plane)
+        self.plane = None
         if self.node is not None:
             self.scene.removeChild(self.node)
         self.scene = self.node = None
+
+    def _cut(self, point, along):
+        """Show only what lies behind ``point`` for an eye that looks ``along``."""
+        self.plane = coin.SoClipPlane()
+        self.plane.plane = coin.SbPlane(coin.SbVec3f(*along), coin.SbVec3f(*point))
+        self.obj.ViewObject.RootNode.insertChild(self.plane, 0)
 
     def _now(self, finding):
         """The finding's points in global coordinates, carried along with its first body."""

@@ -91,7 +91,7 @@ class ObjectPanel:
 
     def _build(self):
         column = QtGui.QVBoxLayout(self.form)
-        column.setSpacing(2)
+        column.setSpacing(0)
         self.message = QtGui.QLabel()
         self.message.setObjectName("Message")
         self.message.setWordWrap(True)

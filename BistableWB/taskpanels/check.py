@@ -9,11 +9,13 @@ from .. import checking, settings
 from ..checks.table import CHECKS
 from ..language.labels import translate, value_text
 from ..language.words import in_words
+from ..objects import is_heavy
 from ..origami.errors import ERROR, NOTE, WARNING, Finding, Refusal, message_of, phrase
 from ..origami.hinges.bed import Bed
 from ..origami.meshes import PlacedMesh
 from ..origami.progress import Cancelled, Progress
 from ..programs import openscad
+from ..recording.script import Script, by_name
 from ..scene import threads
 from ..scene.pointer import Pointer
 from ..slicing import toolpaths
@@ -131,13 +133,17 @@ class CheckPanel:
         """All checks anew, with the printer's values in ``fields``."""
         values = {name: field.value() for name, field in fields.items()}
         self.subject.finish(replace(self.subject.suite.printer, **values))
+        self._clear()
+        self._run(list(self.subject.steps()))
+
+    def _clear(self):
+        """Forget what was found."""
         self.pointer.clear()
         for _, row in self._rows:
             self.list.removeWidget(row)
             row.hide()  # deleted later
             row.deleteLater()
         self.findings, self._shown, self._rows, self._steps = [], 0, [], []
-        self._run(list(self.subject.steps()))
 
     def _offer_openscad(self):
         """A button that has the mesh judged by OpenSCAD, which takes its time."""
@@ -267,13 +273,66 @@ class CheckPanel:
             label.setStyleSheet(f"color: {error_colour(self.form)}")
         label.setToolTip(value_text(list(finding.bodies)))
         line.addWidget(label, 1)
+        buttons = QtGui.QVBoxLayout()  # below each other: bodies have long names
+        line.addLayout(buttons)
         if finding.bodies:
             button = QtGui.QToolButton()
+            button.setObjectName("Show")
             button.setArrowType(QtCore.Qt.RightArrow)  # no text: bodies have long names
             button.setToolTip(translate("BistableCheck", "Show: select and mark it in the 3D view"))
             button.clicked.connect(lambda: self.pointer.show(finding))
-            line.addWidget(button, 0, QtCore.Qt.AlignTop)
+            buttons.addWidget(button, 0, QtCore.Qt.AlignRight)
+        if self._can_set(finding):
+            buttons.addWidget(self._fix_button(finding), 0, QtCore.Qt.AlignRight)
+        buttons.addStretch(1)
         return row
+
+    def _can_set(self, finding):
+        """Whether the cure is to give properties of this object values."""
+        names = {name for name, _ in finding.cure.sets}
+        return bool(names) and names <= set(self.obj.PropertiesList)
+
+    def _fix_button(self, finding):
+        button = QtGui.QToolButton()
+        button.setObjectName("Fix")
+        button.setText(translate("BistableCheck", "Fix"))
+        button.setToolTip(
+            translate("BistableCheck", "Do it: {}. Then everything is checked anew").format(
+                in_words(finding.cure)
+            )
+        )
+        button.clicked.connect(lambda: self._fix(finding))
+        return button
+
+    def _fix(self, finding):
+        """Do what the cure says as one undo step, and check what comes out of it."""
+        if not self.done:  # a check that still runs looks at the old one
+            return
+        self.pointer.clear()
+        with Script(translate("BistableCheck", "Fix")) as script:
+            script.add(f"obj = {by_name(self.obj)}")
+            for name, value in finding.cure.sets:
+                script.add(f"obj.{name} = {value!r}")
+            if is_heavy(self.obj):
+                script.add("make.make_solids(obj)")
+        if script.done:
+            self._clear()
+            while self.others.count():
+                _delete(self.others.takeAt(0))
+            self.again, self.done = None, False
+            self.bar.setRange(0, 0)
+            self.bar.show()
+            self._start()
+
+
+def _delete(item):
+    """Take an item of a layout away with all that is in it."""
+    inside = item.layout()
+    while inside is not None and inside.count():
+        _delete(inside.takeAt(0))
+    if item.widget():
+        item.widget().hide()
+        item.widget().deleteLater()
 
 
 class CheckPanels:

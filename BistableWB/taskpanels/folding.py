@@ -16,7 +16,7 @@ BASICS = {
     ),
     "Bistable::HingeCoupon": ("Kind", "Preset", "HingeType", "FaceThickness", "GapLength"),
 }  # fmt: skip
-_TITLE = 24  # pixels
+_AROUND = 4  # pixels above and below the text of a title, together
 _opened: dict = {}  # (type, group) -> whether the user left it open, until FreeCAD ends
 
 
@@ -48,7 +48,7 @@ class Fold(QtGui.QWidget):
         self.title.setCheckable(True)
         self.title.setAutoRaise(True)
         self.title.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
-        self.title.setMaximumHeight(_TITLE)
+        self.title.setMaximumHeight(self.title.fontMetrics().height() + _AROUND)
         self.title.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
         self.title.toggled.connect(self._fold)
         self.title.clicked.connect(lambda on: _opened.update({self._key: on}))

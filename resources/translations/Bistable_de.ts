@@ -145,8 +145,16 @@
    <translation>Geschlossene Körper …</translation>
   </message>
   <message>
+   <source>Do it: {}. Then everything is checked anew</source>
+   <translation>Das tun: {}. Danach wird alles neu geprüft</translation>
+  </message>
+  <message>
    <source>Errors: {}. Correct them first.</source>
    <translation>Fehler: {}. Zuerst beheben.</translation>
+  </message>
+  <message>
+   <source>Fix</source>
+   <translation>Beheben</translation>
   </message>
   <message>
    <source>Layer height</source>

@@ -67,13 +67,13 @@ def wait(panel, gui, seconds=120):
 
 
 def rows(panel):
-    """(text, button or None) of the findings that are shown."""
+    """(text, button that shows it or None) of the findings that are shown."""
     found = []
     for k in range(panel.list.count()):
         row = panel.list.itemAt(k).widget()
         if not row.isHidden():
             text = row.findChild(QtGui.QLabel).text()
-            found.append((text, row.findChild(QtGui.QToolButton)))
+            found.append((text, row.findChild(QtGui.QToolButton, "Show")))
     return found
 
 
@@ -108,6 +108,61 @@ def test_a_finding_is_shown_in_the_view(panel_of, hinges, gui, screenshot):
     assert len(marks(scene)) == 1
     panel.reject()
     assert marks(scene) is None
+
+
+def test_what_hides_a_finding_is_cut_away(panel_of, hinges, gui, screenshot, pixels):
+    panel = panel_of(hinges)
+    view = Gui.ActiveDocument.ActiveView
+    view.viewIsometric()
+    view.fitAll()
+    whole = pixels()
+    _, show = rows(panel)[0]
+    panel.pointer.show(panel_findings(panel)[0])
+    root = hinges.ViewObject.RootNode
+    assert isinstance(root.getChild(0), coin.SoClipPlane)
+    Gui.Selection.clearSelection()
+    view.fitAll()
+    cut = pixels()
+    assert covered(cut) < 0.9 * covered(whole)
+    show.click()
+    screenshot("check-cut")
+    panel.reject()
+    assert not isinstance(root.getChild(0), coin.SoClipPlane)
+
+
+def covered(pixels):
+    """How many pixels are not white."""
+    return sum(min(pixel) < 250 for pixel in pixels)
+
+
+def panel_findings(panel):
+    """All findings, the worst first."""
+    found = [finding for step in panel.findings for finding in step]
+    return sorted(found, key=lambda one: [ERROR, WARNING, NOTE].index(one.severity))
+
+
+def buttons(panel, row):
+    """Buttons of a finding."""
+    return panel.list.itemAt(row).widget().findChildren(QtGui.QToolButton)
+
+
+def test_a_cure_that_is_a_value_is_one_click(panel_of, hinges, gui, screenshot):
+    panel = panel_of(hinges)
+    assert "Errors" in panel.state.text()
+    fix = next(b for b in buttons(panel, 0) if b.objectName() == "Fix")
+    assert "switch Compensate on" in fix.toolTip()
+    screenshot("check-fix")
+    fix.click()
+    assert hinges.Compensate
+    wait(panel, gui)
+    assert hinges.isValid()
+    assert len(rows(panel)) > 5
+    assert not any("switch Compensate on" in text for text, _ in rows(panel))
+    asked = [b for b in panel.form.findChildren(QtGui.QPushButton) if "OpenSCAD" in b.text()]
+    assert len([b for b in asked if b.isVisible()]) == 1
+    assert hinges.Document.UndoNames[0] == "Fix"
+    hinges.Document.undo()
+    assert not hinges.Compensate
 
 
 def test_marks_stay_on_the_body_whatever_the_view_shows(hinges, gui):
