@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make it printable: one call from a drawn curve to prints that snap, whatever the curve."""
 
-import itertools
 import json
 from pathlib import Path
 
@@ -55,10 +54,9 @@ def check(made, margin=1.2):
 
 def distance_of_bases(triangles, point):
     """From a point to the nearest middle of the bases A–B that are drawn of the triangles."""
-    corners = [vertex.Point for vertex in triangles.Shape.Vertexes]
-    bases = [(a, b) for a, b in itertools.pairwise(corners)
-             if abs(a.distanceToPoint(b) - triangles.EdgeLength.Value) < 1e-4]  # fmt: skip
-    return min(point.distanceToPoint((a + b) / 2) for a, b in bases)
+    edge = triangles.EdgeLength.Value
+    bases = [e for e in triangles.Shape.Edges if abs(e.Length - edge) < 1e-3 * edge]
+    return min(point.distanceToPoint(base.CenterOfMass) for base in bases)
 
 
 def test_an_arch_is_made_printable_in_one_step_of_undo(doc, valid):
