@@ -154,6 +154,13 @@ def test_a_print_that_fits_and_ones_that_do_not():
     assert "2 units fit" in str(found.message)
     assert "1–2, 3–4, 5–6" in str(found.cure)
     assert bed.split(thick, PARAMETERS, low) == [(0, 1), (2, 3), (4, 5)]
+    # five of six would fit into the first: two prints of three are better than 5 and 1
+    height = bed.print_size(*bed.outlines(thick[:5], PARAMETERS, None), PARAMETERS, low).height
+    five = bed.Bed(height=height)
+    assert bed.split(thick, PARAMETERS, five) == [(0, 2), (3, 5)]
+    (found,) = bed.check_bed(thick, PARAMETERS, five)
+    assert "5 units fit" in str(found.message)
+    assert "1–3, 4–6" in str(found.cure)
     (found,) = bed.check_bed(thick, PARAMETERS, bed.Bed(20, 20, 20))
     assert "Not even one unit" in str(found.message)
     assert "EdgeLength" in str(found.cure)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Size of a print before anything is built, and how to split one that is too large for the bed."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -105,16 +105,34 @@ def split(
 ) -> list[tuple[int, int]]:
     """Runs of units [(first, last)], counted from 0, each of which fits the bed by itself.
 
-    As many units as possible go into every print; neighbouring runs are joined at the block between
+    As few prints as possible, which differ by one unit at the most; where such do not fit, as many
+    units as possible in each one after the other. Neighbouring runs are joined at the block between
     them. An empty list if a single unit does not fit.
     """
     corners, margin = outlines(thick, parameters, incoming_left)
-    runs, first = [], 0
-    while first < len(corners):
+
+    def fit(first: int, after: int) -> bool:
+        size = print_size(corners[first:after], margin, parameters, bed, on_edge, more)
+        return fits(size, bed)
+
+    full = _full_runs(len(corners), fit)
+    even = _even_runs(len(corners), len(full)) if full else []
+    return even if all(fit(first, last + 1) for first, last in even) else full
+
+
+def _even_runs(count: int, parts: int) -> list[tuple[int, int]]:
+    """``count`` units in so many runs, the first ones a unit longer where it does not divide."""
+    sizes = [count // parts + (k < count % parts) for k in range(parts)]
+    return [(sum(sizes[:k]), sum(sizes[: k + 1]) - 1) for k in range(parts)]
+
+
+def _full_runs(count: int, fit: Callable[[int, int], bool]) -> list[tuple[int, int]]:
+    """The longest runs that ``fit(first, after)``, one after the other; [] if one does not."""
+    runs: list[tuple[int, int]] = []
+    first = 0
+    while first < count:
         last = first
-        while last < len(corners) and fits(
-            print_size(corners[first : last + 1], margin, parameters, bed, on_edge, more), bed
-        ):
+        while last < count and fit(first, last + 1):
             last += 1
         if last == first:
             return []
@@ -141,7 +159,10 @@ def check_bed(
         return [_fits(size, bed)]
     runs = split(thick, parameters, bed, incoming_left, on_edge, more)
     if runs:
-        return [_too_large(size, bed, len(corners), runs)]
+        most = runs[0][1] + 1
+        while fits(print_size(corners[: most + 1], margin, parameters, bed, on_edge, more), bed):
+            most += 1  # ends: all of them do not fit
+        return [_too_large(size, bed, len(corners), runs, most)]
     alone = print_size(corners[:1], margin, parameters, bed, on_edge, more)
     return [_unit_too_large(alone, bed)]
 
@@ -187,7 +208,9 @@ def _unit_too_large(alone: PrintSize, bed: Bed) -> Finding:
     )
 
 
-def _too_large(size: PrintSize, bed: Bed, count: int, runs: Sequence[Sequence[int]]) -> Finding:
+def _too_large(
+    size: PrintSize, bed: Bed, count: int, runs: Sequence[Sequence[int]], most: int
+) -> Finding:
     return Finding(
         severity=ERROR,
         code="bed",
@@ -199,7 +222,7 @@ def _too_large(size: PrintSize, bed: Bed, count: int, runs: Sequence[Sequence[in
             count=count,
             extent=_extent(size),
             room=_room(bed),
-            most=runs[0][1] + 1,
+            most=most,
         ),
         cure=phrase(
             "split the tube at contact blocks into {count} prints of units {prints}",
