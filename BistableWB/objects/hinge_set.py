@@ -227,8 +227,11 @@ class HingeSet(SelfDrawn):
     def _propped(self, obj, model):
         """`Model.propped`, in the window with progress and Esc: `Cancelled`."""
         if later.runner is not None and not model.is_propped:
-            order = "pillars", self.order(obj)
-            later.runner.wait(obj, order, lambda progress: model.with_pillars(progress))
+            order = self.order(obj)
+            if not model.is_measured:  # aside they may be on the way: one job at a time
+                later.runner.wait(obj, ("margins", order), model.measured)
+                self._publish(obj, order, model)
+            later.runner.wait(obj, ("pillars", order), model.with_pillars)
         return model.propped()
 
     def bodies_at(self, obj, opening):

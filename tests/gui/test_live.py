@@ -298,3 +298,21 @@ def test_ok_leaves_the_solids_above_to_follow(hinges, gui):
     print(f"OK: longest stall {stalls.stop():.2f} s")
     assert hinges.UpToDate
     assert hinges.MadeFrom != before
+
+
+def test_pillars_of_an_export_do_not_freeze_the_window(hinges, gui, monkeypatch):
+    doc = hinges.Document
+    with by_hand(monkeypatch):
+        edit(doc, doc.TrianglePlacement, "Gamma", 24)
+        end = time.monotonic() + 60
+        while not hinges.UpToDate and time.monotonic() < end:
+            gui(0.05)
+    ticks, timer = [], QtCore.QTimer()
+    timer.timeout.connect(lambda: ticks.append(time.monotonic()))
+    timer.start(10)
+    bodies = hinges.Proxy.export_bodies(hinges)
+    timer.stop()
+    assert ticks  # the window went on
+    assert bodies[-1][0] == "pillars"
+    finish(gui)
+    assert len(hinges.SnapMargins) == doc.TrianglePlacement.Count
