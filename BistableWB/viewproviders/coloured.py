@@ -24,12 +24,15 @@ class ColouredView(BistableView):
         raise NotImplementedError
 
     def refresh(self, obj):
-        """Colour anew when the number of faces has changed."""
-        count = self.count(obj)
-        if count and len(faces.face_colours(obj.ViewObject)) != count:
+        """Colour anew when the number of faces has changed, unless the user gave one to all."""
+        count, there = self.count(obj), len(faces.face_colours(obj.ViewObject))
+        if there == 1 and getattr(self, "_has_coloured", False):
+            return
+        if count and there != count:
             wanted = self.wanted_colours(obj)
             if len(wanted) == count:
                 faces.set_face_colours(obj.ViewObject, wanted)
+                self._has_coloured = count > 1
                 self._colour_again_soon()
 
     def onChanged(self, view_object, name):

@@ -64,6 +64,16 @@ def test_colours_follow_while_hidden(gui, tube, pixels):
     assert_drawn_in_colours(pixels)
 
 
+def test_one_colour_that_a_user_gave_to_all_stays(gui, tube):
+    view, before = tube.BistableUnit.ViewObject, len(tube.BistableUnit.Shape.Faces)
+    faces.set_face_colours(view, [(1.0, 0.0, 0.0)])
+    tube.TrianglePlacement.EdgeLength = 55
+    tube.recompute()
+    gui()
+    assert len(tube.BistableUnit.Shape.Faces) != before
+    assert faces.face_colours(view) == [(1.0, 0.0, 0.0)]
+
+
 def test_deployment_keeps_the_colours_that_a_user_chose(gui, tube):
     view = tube.BistableUnit.ViewObject
     wanted = [(1.0, 0.0, 0.0)] * len(tube.BistableUnit.Shape.Faces)
