@@ -25,24 +25,24 @@ def write_mp4(pictures, path, pause):
     `Refusal` where ffmpeg makes none; nothing is left at ``path`` then.
     """
     pictures = [Path(picture) for picture in pictures]
-    with whole_file(path) as unfinished, tempfile.TemporaryFile() as said:
+    with (
+        whole_file(path) as unfinished,
+        tempfile.TemporaryFile() as film,  # no pipe: where ffmpeg ends early, it ends FreeCAD 1.0
+        tempfile.TemporaryFile() as said,
+    ):
         command = [
             program(), "-y", "-loglevel", "error", "-f", "image2pipe", "-framerate",
             f"1000/{pause}", "-i", "-", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
             str(unfinished),
         ]  # fmt: skip
-        running = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=said, stderr=said)
+        for picture in [*pictures, *pictures[-2:0:-1]]:
+            film.write(picture.read_bytes())
+        film.seek(0)
+        running = subprocess.Popen(command, stdin=film, stdout=said, stderr=said)
         end = threading.Timer(_AT_MOST, running.kill)
         end.start()
-        try:
-            with running.stdin as film:
-                for picture in [*pictures, *pictures[-2:0:-1]]:
-                    film.write(picture.read_bytes())
-        except BrokenPipeError:
-            pass  # it has ended early, and says why
-        finally:
-            running.wait()
-            end.cancel()
+        running.wait()
+        end.cancel()
         said.seek(0)
         lines = said.read().decode(errors="replace").split("\n")
         if running.returncode or not unfinished.is_file():
