@@ -207,7 +207,8 @@ class _MouseFilter(QtCore.QObject):
 
 
 def _share(canvas, event):
-    return event.pos().x() / canvas.width(), 1 - event.pos().y() / canvas.height()
+    where = event.position() if hasattr(event, "position") else event.pos()  # Qt 6, Qt 5
+    return where.x() / canvas.width(), 1 - where.y() / canvas.height()
 
 
 def canvas_of_active_view():
