@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..origami.hinges.starts import labelled
 from .layers import PIXEL
 
 if TYPE_CHECKING:
@@ -47,44 +48,14 @@ def starts(body: "Layers", others: "Sequence[Layers | Tops]", depth: int) -> lis
         below = layer & body.inside[k - 1] if k else np.zeros_like(layer)
         if below.sum() == layer.sum():
             continue
-        rest = layer & ~reached(layer, below)
-        if not rest.any():
+        labels, count = labelled(layer, corners=False)
+        begins = np.ones(count + 1, bool)
+        begins[0] = begins[labels[below]] = False
+        if not begins.any():
             continue
-        rest &= ~reached(layer, rest & held_by(others, body, number, depth))
-        while rest.any():
-            pixel = np.argwhere(rest)[0]
-            seed = np.zeros_like(rest)
-            seed[tuple(pixel)] = True
-            region = reached(rest, seed)
-            rest &= ~region
-            area = float(region.sum()) * PIXEL**2
-            if area > LEAST:
-                found.append(Start(area, (k, *map(int, pixel))))
-    return found
-
-
-def reached(area: NDArray, seed: NDArray) -> NDArray:
-    """The part of an area (rows, columns) bool that hangs together with ``seed``, along its sides.
-
-    From what is reached it spreads along whole rows, then columns, until nothing is added.
-    """
-    seed = seed & area
-    while seed.any():
-        before = int(seed.sum())
-        seed = _spread(area, seed)
-        seed = _spread(area.T, seed.T).T
-        if int(seed.sum()) == before:
-            break
-    return seed
-
-
-def _spread(area: NDArray, seed: NDArray) -> NDArray:
-    """Whatever lies in a row of ``area`` without a gap beside ``seed``."""
-    found = seed
-    for way in (slice(None), slice(None, None, -1)):
-        inside, from_here = area[:, way], found[:, way]
-        index = np.arange(inside.shape[1])
-        last = np.maximum.accumulate(np.where(from_here, index, -1), 1)
-        stop = np.maximum.accumulate(np.where(inside, -1, index), 1)
-        found = (inside & (last > stop))[:, way]
+        begins[labels[held_by(others, body, number, depth) & layer]] = False
+        areas = np.bincount(labels.ravel(), minlength=count + 1) * PIXEL**2
+        for region in np.flatnonzero(begins & (areas > LEAST)):
+            pixel = np.argwhere(labels == region)[0]
+            found.append(Start(float(areas[region]), (k, *map(int, pixel))))
     return found

@@ -165,6 +165,31 @@ def test_pieces_of_a_raster_are_counted():
     assert labels[0, 0] == labels[1, 1] != labels[0, 6]
 
 
+@pytest.mark.parametrize("corners", [True, False])
+@pytest.mark.parametrize("seed", range(6))
+def test_pieces_of_any_raster_are_those_of_a_flood(corners, seed):
+    """Filled pixel by pixel, in the order of their first pixels."""
+    rng = np.random.default_rng(seed)
+    area = rng.random(rng.integers(1, 24, 2)) < rng.uniform(0.2, 0.8)
+    steps = [(a, b) for a in (-1, 0, 1) for b in (-1, 0, 1) if corners or a * b == 0]
+    wanted, count = np.zeros(area.shape, int), 0
+    for start in np.argwhere(area):
+        if wanted[tuple(start)]:
+            continue
+        count += 1
+        todo = [tuple(start)]
+        while todo:
+            row, column = todo.pop()
+            inside = 0 <= row < area.shape[0] and 0 <= column < area.shape[1]
+            if not inside or not area[row, column] or wanted[row, column]:
+                continue
+            wanted[row, column] = count
+            todo += [(row + a, column + b) for a, b in steps]
+    labels, found = labelled(area, corners)
+    assert found == count
+    assert (labels == wanted).all()
+
+
 def test_a_long_tie_is_a_pillar_with_necks():
     tie = Tie((0.0, 0.0, 0.0), (0.0, 0.0, 12.0), 0.4, 1.2, 0, BED, 0.2)
     widths = [width for *_, width in tie.rings()]

@@ -7,7 +7,7 @@ from what the body has in the layer below.
 """
 
 from math import floor
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,10 +87,11 @@ def _of_layer(
     return found
 
 
-def labelled(area: NDArray) -> tuple[NDArray, int]:
+def labelled(area: NDArray, corners: bool = True) -> tuple[NDArray, int]:
     """Numbers (rows, columns) of the connected pieces of a bool raster from 1 on, and how many.
 
-    Pixels hang together along sides and corners. Joined are whole runs of a row, not pixels.
+    Pixels hang together along sides and, if wanted, ``corners``; numbers go by the first pixel.
+    Joined are whole runs of a row, not pixels.
     """
     labels = np.zeros(area.shape, int)
     edges = np.diff(np.pad(area, ((0, 0), (1, 1))).astype(np.int8), axis=1)
@@ -99,8 +100,9 @@ def labelled(area: NDArray) -> tuple[NDArray, int]:
         return labels, 0
     end = np.nonzero(edges < 0)[1]
     wide = area.shape[1] + 2  # so that runs of all rows are in one order
-    first = np.searchsorted(row * wide + end, (row + 1) * wide + start, "left")
-    last = np.searchsorted(row * wide + start, (row + 1) * wide + end, "right")
+    sides: tuple[Any, Any] = ("left", "right") if corners else ("right", "left")
+    first = np.searchsorted(row * wide + end, (row + 1) * wide + start, sides[0])
+    last = np.searchsorted(row * wide + start, (row + 1) * wide + end, sides[1])
     count = np.maximum(last - first, 0)
     upper = np.repeat(np.arange(len(row)), count)
     lower = np.arange(len(upper)) - np.repeat(np.cumsum(count) - count - first, count)
