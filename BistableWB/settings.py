@@ -150,6 +150,12 @@ def air_layers():
     return group().GetInt(AIR_LAYERS, 0)
 
 
+def air_lines(variable):
+    """Lines of a macro that give the HingeSet in ``variable`` the air that plates came off over."""
+    known = air_layers()
+    return [f"{variable}.AirLayers = {known}"] if known > 0 and process() == STANDOFFS else []
+
+
 def hinge_lines(variable, without=()):
     """Lines of a macro that give the hinge in ``variable`` what differs from its defaults."""
     usual, lines = NUMBERS, []

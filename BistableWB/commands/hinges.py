@@ -31,7 +31,7 @@ class HingeSet(Command):
         with Script(translate("Bistable_HingeSet", "Hinge set")) as script:
             script.add(f"units = {by_name(units)}")
             script.add("hinges = make.make_hinge_set(doc, units)")
-            for line in settings.hinge_lines("hinges"):
+            for line in (*settings.hinge_lines("hinges"), *settings.air_lines("hinges")):
                 script.add(line)
             script.add(settings.bed_line("hinges"))
             script.add("make.make_solids(hinges)")

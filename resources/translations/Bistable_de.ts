@@ -1207,6 +1207,10 @@
    <translation>Seite wechseln</translation>
   </message>
   <message>
+   <source>Foot</source>
+   <translation>Fuß</translation>
+  </message>
+  <message>
    <source>Foot normal</source>
    <translation>Fußnormale</translation>
   </message>
@@ -2983,7 +2987,7 @@
   </message>
   <message>
    <source>With its feet beside the stack the print takes {x:.0f} × {y:.0f} mm, and the bed has {length:.4g} × {width:.4g} mm: choose Flange instead of Foot, or a smaller {EdgeLength}.</source>
-   <translation>Mit den Füßen neben dem Stapel braucht der Druck {x:.0f} × {y:.0f} mm, und das Druckbett hat {length:.4g} × {width:.4g} mm: wähle Flange statt Foot oder eine kleinere {EdgeLength}.</translation>
+   <translation>Mit den Füßen neben dem Stapel braucht der Druck {x:.0f} × {y:.0f} mm, und das Druckbett hat {length:.4g} × {width:.4g} mm: wähle Flansch statt Fuß oder eine kleinere {EdgeLength}.</translation>
   </message>
   <message>
    <source>a checksum is wrong</source>

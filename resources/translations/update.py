@@ -33,8 +33,8 @@ CHOICES = (
     "Direction", "Viewpoint", "Rotational", "Flexible", "Cone", "Pin", "Flat", "OnEdge",
     "Dihedral", "Vertex", "NonDevelopableVertex", "Custom", "EndFit", "Steered", "Live", "OnDemand",
     "Start", "Both", "Free", "Square", "FDM, stand-offs", "FDM, ties", "FDM, soluble", "Powder",
-    "Resin", "Dowel", "Clip", "Magnet", "Screw", "None", "Plain", "Plate", "Flange", "Piano",
-    "Textile", "Tape", "Contact", "Crease", "Recommended", "RecommendedVertex", "Given", "Coarse",
+    "Resin", "Dowel", "Clip", "Magnet", "Screw", "None", "Plain", "Plate", "Flange", "Foot",
+    "Piano", "Textile", "Tape", "Contact", "Crease", "Recommended", "RecommendedVertex", "Given", "Coarse",
 )  # fmt: skip
 LABELS = ("BedWidth", "BedDepth", "BedHeight")  # preferences that are no properties
 # Tooltips that are made of a table: (module, constant).

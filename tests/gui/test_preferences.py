@@ -186,3 +186,17 @@ def test_the_printer_is_asked_for_once(page):
     first_start.ask().reject()
     assert settings.printer() == "Creality Ender 3"
     assert settings.printer_was_asked()
+
+
+def test_the_air_that_a_calibration_plate_told_is_that_of_new_prints(page):
+    settings.keep_calibration(air_layers=2)
+    doc = App.newDocument("Aired")
+    unit = make.make_bistable_unit(doc, theta=45, edge_length=60)
+    doc.recompute()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(unit)
+    Gui.runCommand("Bistable_HingeSet")
+    hinges = doc.Objects[-1]
+    assert hinges.isValid()
+    assert hinges.AirLayers == 2
+    settings.group().RemInt(settings.AIR_LAYERS)

@@ -147,6 +147,8 @@ class _Search:
         here = slice(low[0], rows.max() + reach + 1), slice(low[1], columns.max() + reach + 1)
         corner = self.near[k].first[1:] + low
         section, below, fresh = section[here], below[here], fresh[here]
+        if not (fresh & ~_beside(below)).any():
+            return  # as round barrels grow
         carried = section & (below | self._held(k, number, corner, section.shape))
         if not (fresh & ~carried).any():
             return
@@ -309,6 +311,16 @@ def _heads(region: NDArray) -> NDArray:
     held = (far <= (REACH / PIXEL) ** 2).sum(1)
     others = region[:: max(len(region) // _OTHERS, 1)]
     return np.concatenate([heads[np.lexsort((far.sum(1), -held))][:_HEADS], others])
+
+
+def _beside(area: NDArray) -> NDArray:
+    """An area and the pixels at its sides."""
+    found = area.copy()
+    found[1:] |= area[:-1]
+    found[:-1] |= area[1:]
+    found[:, 1:] |= area[:, :-1]
+    found[:, :-1] |= area[:, 1:]
+    return found
 
 
 def _is_far_somewhere(fresh: NDArray, carried: NDArray) -> bool:
