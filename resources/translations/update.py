@@ -34,7 +34,8 @@ CHOICES = (
     "Dihedral", "Vertex", "NonDevelopableVertex", "Custom", "EndFit", "Steered", "Live", "OnDemand",
     "Start", "Both", "Free", "Square", "FDM, stand-offs", "FDM, ties", "FDM, soluble", "Powder",
     "Resin", "Dowel", "Clip", "Magnet", "Screw", "None", "Plain", "Plate", "Flange", "Foot",
-    "Piano", "Textile", "Tape", "Contact", "Crease", "Recommended", "RecommendedVertex", "Given", "Coarse",
+    "Piano", "Textile", "Tape", "Contact", "Crease", "Recommended", "RecommendedVertex", "Given",
+    "Coarse",
 )  # fmt: skip
 LABELS = ("BedWidth", "BedDepth", "BedHeight")  # preferences that are no properties
 # Tooltips that are made of a table: (module, constant).
