@@ -163,6 +163,7 @@ def test_a_print_that_fits_and_ones_that_do_not():
     assert "1–3, 4–6" in str(found.cure)
     (found,) = bed.check_bed(thick, PARAMETERS, bed.Bed(20, 20, 20))
     assert "Not even one unit" in str(found.message)
+    assert found.number > 1
     assert "EdgeLength" in str(found.cure)
     long = bed.Bed(64, 20, 200)
     turned = bed.print_size(*bed.outlines(thick, PARAMETERS), PARAMETERS, long)

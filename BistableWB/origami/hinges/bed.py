@@ -3,6 +3,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import ceil
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -163,8 +164,13 @@ def check_bed(
         while fits(print_size(corners[: most + 1], margin, parameters, bed, on_edge, more), bed):
             most += 1  # ends: all of them do not fit
         return [_too_large(size, bed, len(corners), runs, most)]
-    alone = print_size(corners[:1], margin, parameters, bed, on_edge, more)
-    return [_unit_too_large(alone, bed)]
+    alone = [
+        print_size(corners[k : k + 1], margin, parameters, bed, on_edge, more)
+        for k in range(len(corners))
+    ]
+    over = [_over(one, bed) for one in alone]
+    worst = int(np.argmax(over))
+    return [_unit_too_large(worst, alone[worst], bed)]
 
 
 def _room(bed: Bed) -> str:
@@ -191,12 +197,16 @@ def _fits(size: PrintSize, bed: Bed) -> Finding:
     )
 
 
-def _unit_too_large(alone: PrintSize, bed: Bed) -> Finding:
-    over = max(alone.width / bed.width, alone.depth / bed.depth, alone.height / bed.height)
+def _over(size: PrintSize, bed: Bed) -> float:
+    return max(size.width / bed.width, size.depth / bed.depth, size.height / bed.height)
+
+
+def _unit_too_large(number: int, alone: PrintSize, bed: Bed) -> Finding:
+    over = _over(alone, bed)
     return Finding(
         severity=ERROR,
         code="bed",
-        bodies=("unit01",),
+        bodies=(f"unit{number + 1:02d}",),
         number=over,
         limit=1.0,
         message=phrase(
@@ -204,7 +214,9 @@ def _unit_too_large(alone: PrintSize, bed: Bed) -> Finding:
             extent=_extent(alone),
             room=_room(bed),
         ),
-        cure=phrase("make {EdgeLength} at least {over:.2f} times shorter", over=over),
+        cure=phrase(
+            "make {EdgeLength} at least {over:.2f} times shorter", over=ceil(100 * over) / 100
+        ),
     )
 
 
