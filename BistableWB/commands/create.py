@@ -70,7 +70,7 @@ class CurveOnSphere(Command):
         with Script(translate("Bistable_CurveOnSphere", "Curve on sphere")) as script:
             add_curve_on_sphere(script, chosen.edges(), chosen.sphere())
             select(script, "curve")
-        fit_view()
+        fit_view(isometric=True)  # from above the sphere hides that it is one
 
 
 class TrianglePlacement(Command):

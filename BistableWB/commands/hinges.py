@@ -37,7 +37,7 @@ class HingeSet(Command):
             script.add("make.make_solids(hinges)")
             script.view("Gui.Selection.clearSelection()")
             script.view(
-                "if hinges.isValid(): [part.ViewObject.hide() for part in hinges.OutListRecursive]"
+                "[o.ViewObject.hide() for o in hinges.OutListRecursive if hinges.Shape.Solids]"
             )
         fit_view(isometric=True)
 

@@ -118,3 +118,23 @@ def test_commands_wait_for_something_to_work_on(gui, name):
     App.newDocument("Empty")
     command = next(c for c in COMMANDS if c.name == f"Bistable_{name}")
     assert not command.IsActive()
+
+
+def test_inputs_stay_in_view_where_the_hinges_are_refused(gui):
+    """A set whose input is refused is Touched, which FreeCAD calls valid: the view was empty."""
+    doc = App.newDocument("Refused")
+    curve = make.make_curve(doc)
+    triangles = make.make_triangle_placement(doc, curve, edge_length=900)  # longer than the curve
+    unit = make.make_bistable_unit(doc, triangles)
+    doc.recompute()
+    assert not triangles.isValid()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(unit)
+    Gui.runCommand("Bistable_HingeSet")
+    gui(0.2)
+    hinges = doc.Objects[-1]
+    assert not hinges.Shape.Solids
+    assert curve.ViewObject.Visibility
+    triangles.EdgeLength = 60
+    doc.recompute()
+    assert hinges.Shape.Solids
